@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"
+#include "core/scene/key_assignment.h"
 #include "core/scene/layer_assignment.h"
 #include "core/effect/value.h"
 #include "core/preset/picture_file.h"
@@ -16,11 +17,11 @@ namespace fumage::cli {
 namespace {
 
 /// An option for messages: a picture in base64 is longer than anybody reads.
-std::string optionOf(const std::string& assignment)
+std::string optionOf(const std::string& option, const std::string& assignment)
 {
     constexpr std::size_t kLong = 400;
     constexpr std::size_t kShown = 60;
-    return "--set " + (assignment.size() > kLong ? assignment.substr(0, kShown) + "..." : assignment);
+    return option + (assignment.size() > kLong ? assignment.substr(0, kShown) + "..." : assignment);
 }
 
 /// What is set and changes nothing, as the effect is now, is told: it may have been meant for another parameter.
@@ -31,12 +32,37 @@ void warnWhereItHasNoEffect(const std::string& assignment, const Scene& scene)
     const Parameter* parameter = findShownParameter(trimmed(part.assignment.substr(0, part.assignment.find('='))));
     if (parameter != nullptr && !isVisible(*parameter, effect)) {
         const Parameter& other = *findParameter(parameter->visible.key);
-        warn(optionOf(assignment) + ": has no effect while " + std::string(other.key) + " is "
+        warn(optionOf("--set ", assignment) + ": has no effect while " + std::string(other.key) + " is "
             + formatText(other, other.get(effect), true));
     }
 }
 
-Result<NamedPreset> load(const std::string& preset, const std::vector<std::string>& assignments)
+/// Sets a parameter, of which a picture may be named by its file.
+Result<bool> setInScene(Scene& scene, std::string_view text)
+{
+    const Result<std::string> read = withPictureRead(std::string(text));
+    return read ? applyToScene(scene, read.value()) : Result<bool>(read.error());
+}
+
+/// Applies what an option says, as often as it was given.
+Status applyAll(const std::string& option, const std::vector<std::string>& texts,
+    Result<bool> (*apply)(Scene& scene, std::string_view text), Scene& scene)
+{
+    for (const std::string& text : texts) {
+        const Result<bool> clamped = apply(scene, text);
+        if (!clamped) {
+            Error error = clamped.error();
+            error.place = optionOf(option, text);
+            return error;
+        }
+        if (clamped.value()) {
+            warn(optionOf(option, text) + ": out of range, the nearest allowed value is used");
+        }
+    }
+    return Done{};
+}
+
+Result<NamedPreset> load(const std::string& preset, const EffectOptions& options)
 {
     const Result<PresetReading> reading = readPreset(preset);
     if (!reading) {
@@ -51,19 +77,14 @@ Result<NamedPreset> load(const std::string& preset, const std::vector<std::strin
         named.name = entry ? entry.value().id : named.name;
         named.file = entry ? entry.value().path : named.file;
     }
-    for (const std::string& assignment : assignments) {
-        const Result<std::string> read = withPictureRead(assignment);
-        const Result<bool> clamped = read ? applyToScene(named.preset.scene, read.value()) : Result<bool>(read.error());
-        if (!clamped) {
-            Error error = clamped.error();
-            error.place = optionOf(assignment);
-            return error;
-        }
-        if (clamped.value()) {
-            warn(optionOf(assignment) + ": out of range, the nearest allowed value is used");
-        }
+    Scene& scene = named.preset.scene;
+    if (Status status = applyAll("--set ", options.assignments, &setInScene, scene); !status) {
+        return status.error();
     }
-    for (const std::string& assignment : assignments) {
+    if (Status status = applyAll("--animate ", options.animations, &animateScene, scene); !status) {
+        return status.error();
+    }
+    for (const std::string& assignment : options.assignments) {
         warnWhereItHasNoEffect(assignment, named.preset.scene);
     }
     return named;
@@ -141,6 +162,15 @@ void EffectOptions::addTo(CLI::App& command)
         ->take_all()
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
+    command
+        .add_option("--animate", animations,
+            "Let a parameter change over time: --animate \"emitter.rate=1:0; 2:1\", seconds and value of each key "
+            "frame, "
+            "and its ease (auto, linear, hold); after=loop repeats them; may be repeated")
+        ->type_name("KEY=KEYFRAMES")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->option_text("KEY=KEYFRAMES");
     command.add_option("--layers", layers, "Show these layers alone: names or numbers from 1, with commas between")
         ->type_name("LAYERS")
         ->option_text("LAYERS");
@@ -176,7 +206,7 @@ Result<std::vector<NamedPreset>> EffectOptions::loadAll() const
 {
     std::vector<NamedPreset> loaded;
     for (const std::string& preset : presets) {
-        Result<NamedPreset> named = load(preset, assignments);
+        Result<NamedPreset> named = load(preset, *this);
         if (!named) {
             return named.error();
         }

@@ -34,7 +34,7 @@ Status asText(const Preset& preset, const Shown& shown)
     out << printable(preset.name) << "\n" << printable(preset.description) << "\n\n";
     const bool several = scene.layers.size() > 1;
     for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
-        const Schedule schedule = makeSchedule(sampled(scene.effect(layer)));
+        const Schedule schedule = makeSchedule(sampledLayer(scene, layer));
         out << (several ? "layer " + std::to_string(layer + 1) + "     " + printable(scene.layers[layer].name)
                     + (scene.layers[layer].visible ? "" : " (muted)")
                     + (scene.layers[layer].from.empty() ? "" : ", born on " + printable(scene.layers[layer].from))
@@ -78,7 +78,7 @@ nlohmann::ordered_json asJson(const Preset& preset, const Schedule& schedule)
             }
         }
         layers.push_back({{"name", scene.layers[layer].name}, {"visible", scene.layers[layer].visible},
-            {"from", scene.layers[layer].from}, {"particles", makeSchedule(sampled(scene.effect(layer))).capacity()},
+            {"from", scene.layers[layer].from}, {"particles", makeSchedule(sampledLayer(scene, layer)).capacity()},
             {"changed", own}});
     }
     return {{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()},
@@ -94,7 +94,7 @@ Status info(const std::string& name, bool json)
         return reading.error();
     }
     const Preset& preset = reading.value().preset;
-    const Schedule schedule = makeSchedule(sampled(preset.scene.effect()));
+    const Schedule schedule = makeSchedule(sampledLayer(preset.scene, 0));
     const Shown shown = shownBy(reading.value());
     if (!json) {
         return asText(preset, shown);

@@ -113,16 +113,36 @@ std::optional<float> parseFloat(std::string_view text)
     return parseWhole<float>(text);
 }
 
+std::optional<double> parseDouble(std::string_view text)
+{
+    return parseWhole<double>(text);
+}
+
 std::optional<std::int64_t> parseInteger(std::string_view text)
 {
     return parseWhole<std::int64_t>(text);
 }
 
-std::string formatFloat(float value)
+namespace {
+
+template <class Number>
+std::string shortest(Number value)
 {
     std::array<char, 64> buffer{};
     const auto [stop, failure] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), stop};
+}
+
+} // namespace
+
+std::string formatFloat(float value)
+{
+    return shortest(value);
+}
+
+std::string formatDouble(double value)
+{
+    return shortest(value);
 }
 
 std::size_t splitCount(std::string_view text, char separator)

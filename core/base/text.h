@@ -12,11 +12,16 @@ namespace fumage {
 /// Parses a whole text as a number: no locale, no leading or trailing characters.
 /// @return nothing for an empty text, rubbish, or a value that does not fit; infinities and NaN are returned as such
 [[nodiscard]] std::optional<float> parseFloat(std::string_view text);
+/// As parseFloat(), for a double.
+[[nodiscard]] std::optional<double> parseDouble(std::string_view text);
 /// As parseFloat(), for a decimal whole number with an optional minus.
 [[nodiscard]] std::optional<std::int64_t> parseInteger(std::string_view text);
 
 /// The shortest decimal text that reads back as the same bits.
 [[nodiscard]] std::string formatFloat(float value);
+
+/// The same of a double.
+[[nodiscard]] std::string formatDouble(double value);
 
 /// Splits at every separator; "a,,b" has three parts, "" has one.
 [[nodiscard]] std::size_t splitCount(std::string_view text, char separator);

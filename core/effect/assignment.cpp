@@ -7,6 +7,14 @@
 
 namespace fumage {
 
+Error noParameter(std::string_view key)
+{
+    const std::string_view near = nearestParameterKey(key);
+    return {ErrorCode::UnknownKey, makeMessage("there is no parameter %1", inQuotes(key)), {},
+        near.empty() ? makeMessage("List them with: fumage-cli parameters")
+                     : makeMessage("Did you mean %1?", inQuotes(near))};
+}
+
 Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
 {
     const std::size_t equals = assignment.find('=');
@@ -18,10 +26,7 @@ Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
     const Parameter* shown = findShownParameter(key);
     const Parameter* parameter = shown != nullptr ? shown : findFormerParameter(key);
     if (parameter == nullptr) {
-        const std::string_view near = nearestParameterKey(key);
-        return Error{ErrorCode::UnknownKey, makeMessage("there is no parameter %1", inQuotes(key)), {},
-            near.empty() ? makeMessage("List them with: fumage-cli parameters")
-                         : makeMessage("Did you mean %1?", inQuotes(near))};
+        return noParameter(key);
     }
     const Result<Clamped> value = parseValue(*parameter, assignment.substr(equals + 1));
     if (!value) {

@@ -12,4 +12,7 @@ namespace fumage {
 /// @error UnknownKey with the nearest name; those of parseValue()
 [[nodiscard]] Result<bool> applyAssignment(Effect& effect, std::string_view assignment);
 
+/// There is no parameter of this key; which one may have been meant.
+[[nodiscard]] Error noParameter(std::string_view key);
+
 } // namespace fumage

@@ -79,6 +79,7 @@ struct Emitter {
     float depth = 0.6F;
     float radius = 0.25F;
     int count = 100000;
+    float rate = 1.0F;
     EmissionMode mode = EmissionMode::Continuous;
     float burstDuration = 0.2F;
     float start = 0.0F;

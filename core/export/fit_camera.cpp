@@ -46,7 +46,8 @@ public:
             if (!frame) {
                 return frame.error();
             }
-            for (const LayerFrame& layer : layerFrames(frame.value(), m_layers)) {
+            const LayersAtFrame layers(frame.value(), m_layers);
+            for (const LayerFrame& layer : layers.frames()) {
                 findAppearance(*layer.frame, *layer.effect, Axes{}, m_appearance);
                 guess.addParticles(layer.frame->particles, m_appearance, secondsAt(frame.value()));
             }
@@ -101,7 +102,8 @@ private:
             }
             const float seconds = secondsAt(frame.value());
             const View view = makeView(camera, seconds, m_width, m_height);
-            if (Status status = m_renderer.prepare(layerFrames(frame.value(), m_layers), view, m_task.stop); !status) {
+            if (Status status = m_renderer.prepare(LayersAtFrame(frame.value(), m_layers), view, m_task.stop);
+                !status) {
                 return status;
             }
             if (Status status = m_renderer.composite(m_image, m_task.stop); !status) {

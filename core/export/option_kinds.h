@@ -56,8 +56,8 @@ template <auto kParse, class Get>
 constexpr ExportOption parsedOption(ExportOption option, Get)
 {
     option.text = [](const ExportPlan& plan) -> std::optional<std::string> {
-        using Value = std::decay_t<decltype(kParse(std::string_view()).value())>;
-        const std::optional<Value> value = Get{}(plan);
+        using Parsed = std::decay_t<decltype(kParse(std::string_view()).value())>;
+        const std::optional<Parsed> value = Get{}(plan);
         return value ? std::optional<std::string>(textOf(*value)) : std::nullopt;
     };
     option.read = [](std::string_view text, ExportPlan& plan) -> Status {

@@ -47,6 +47,27 @@ void addVideo(const Scene& scene, const ExportPlan& plan, std::vector<Message>& 
     }
 }
 
+/// What key frames do that nobody may want: loops that they break, and those that come too late.
+void addTracks(const Scene& scene, std::vector<Message>& remarks)
+{
+    const double length = static_cast<double>(scene.timeline.length) / scene.timeline.frameRate;
+    const auto look = [&](const Tracks& tracks) {
+        for (const Track& track : tracks.all()) {
+            const std::string_view key = track.parameter->key;
+            if (scene.timeline.loop && track.at(0.0) != track.at(length)) {
+                remarks.push_back(makeMessage("%1 does not end as it begins, so the loop jumps there", key));
+            }
+            if (track.keys.back().seconds > length) {
+                remarks.push_back(makeMessage("%1 has key frames after the end of the timeline", key));
+            }
+        }
+    };
+    look(scene.tracks);
+    for (const std::size_t layer : scene.visibleLayers()) {
+        look(scene.layers[layer].tracks);
+    }
+}
+
 /// Presets are short but for their pictures.
 void addCarried(const Scene& scene, const ExportPlan& plan, std::vector<Message>& remarks)
 {
@@ -70,6 +91,7 @@ std::vector<Message> remarksOn(const Scene& scene, const ExportPlan& plan)
 {
     std::vector<Message> remarks;
     addLoop(scene.timeline, plan, remarks);
+    addTracks(scene, remarks);
     if (plan.kind == ExportKind::Video) {
         addVideo(scene, plan, remarks);
     }

@@ -56,8 +56,8 @@ public:
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeImage(
-            m_images[place % 2], m_scene, m_options.format, notesOf(m_scene, m_options, m_numbers[place]), stop);
+        return encodeImage(m_images[place % 2], m_scene.atFrame(m_numbers[place]), m_options.format,
+            notesOf(m_scene, m_options, m_numbers[place]), stop);
     }
 
 private:
@@ -102,8 +102,9 @@ public:
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeTargets(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_scene.output,
-            m_options.format, notesOf(m_scene, m_options, m_frames.numbers[place]), stop);
+        return encodeTargets(m_sheets[place % 2], m_options.passes, m_options.premultiplied,
+            m_scene.atFrame(m_frames.numbers[place]).output, m_options.format,
+            notesOf(m_scene, m_options, m_frames.numbers[place]), stop);
     }
 
 private:

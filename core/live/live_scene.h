@@ -165,6 +165,11 @@ private:
     void setEffects();
     /// Sends an emitter where a changed effect says.
     void followEmitter(std::size_t layer, const Emitter& before, const Emitter& now);
+    /// Whether anything changes over time by key frames.
+    [[nodiscard]] bool hasTracks() const;
+    /// Sets what key frames say, and sends emitters along their ways.
+    /// @param seconds since the start
+    void animate(double seconds);
     void stepOnce(double share);
     void stepAir();
     void outdateLight();

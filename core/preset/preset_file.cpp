@@ -8,6 +8,7 @@
 #include "core/image_io/metadata_reader.h"
 #include "core/preset/preset_keys.h"
 #include "core/preset/preset_node.h"
+#include "core/preset/track_node.h"
 
 #include <algorithm>
 
@@ -54,11 +55,34 @@ void writeLayerHeader(const Layer& layer, const std::string& indent, std::string
     }
 }
 
+/// What changes over time of a scene or of its layer; nothing where nothing does.
+void writeAnimation(const Owner& owner, const std::string& indent, std::string& out)
+{
+    const bool isScene = owner.scope == Scope::Scene;
+    const Scene& scene = owner.preset.scene;
+    const Tracks& tracks = isScene ? scene.tracks : scene.layers[owner.layer].tracks;
+    std::vector<std::string> items;
+    for (const Track& track : tracks.all()) {
+        items.push_back(formatTrack(track));
+    }
+    for (const UnknownMember& member : owner.preset.unknown) {
+        if (member.group == kAnimation && member.isOfScene == isScene && (isScene || member.layer == owner.layer)) {
+            items.push_back(member.json);
+        }
+    }
+    for (const std::string& item : items) {
+        out += &item == items.data() ? "\n" + indent + quoteJson(kAnimation) + ": [\n" : ",\n";
+        out += indent + "  " + item;
+    }
+    out += items.empty() ? "" : "\n" + indent + "],";
+}
+
 /// The groups of a scene or of its layer, and what is unknown beside them.
 void writeGroups(const Owner& owner, const std::string& indent, std::string& out)
 {
     const Preset& preset = owner.preset;
     std::string_view group;
+    writeAnimation(owner, indent, out);
     for (const Parameter& parameter : parameterTable()) {
         if (parameter.scope != owner.scope) {
             continue;

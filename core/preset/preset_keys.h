@@ -17,6 +17,13 @@ inline constexpr std::string_view kLayerLocked = "locked";
 inline constexpr std::string_view kLayerTag = "tag";
 inline constexpr std::string_view kLayerFrom = "from";
 
+/// What changes over time, of the scene or of a layer, and members of each track.
+inline constexpr std::string_view kAnimation = "animation";
+inline constexpr std::string_view kTrackParameter = "key";
+inline constexpr std::string_view kTrackBefore = "before";
+inline constexpr std::string_view kTrackAfter = "after";
+inline constexpr std::string_view kTrackKeys = "keys";
+
 /// What a ColourTag is called in files.
 inline constexpr std::array<std::string_view, 8> kColourTags{
     "none", "red", "orange", "yellow", "green", "blue", "violet", "grey"};

@@ -7,9 +7,11 @@
 #include "core/preset/migration.h"
 #include "core/preset/parameter_node.h"
 #include "core/preset/preset_keys.h"
+#include "core/preset/track_node.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace fumage {
 
@@ -201,11 +203,31 @@ private:
                     continue;
                 }
             }
-            if (Status status =
-                    groupScope(key) == scope ? readGroup(key, group) : keepUnknown(std::string(owner), key, group);
-                !status) {
+            const auto read = [&] {
+                return key == kAnimation       ? readAnimation(scope, group)
+                    : groupScope(key) == scope ? readGroup(key, group)
+                                               : keepUnknown(std::string(owner), key, group);
+            };
+            if (Status status = read(); !status) {
                 return status;
             }
+        }
+        return Done{};
+    }
+
+    /// @param scope whose parameters the tracks are of
+    Status readAnimation(Scope scope, const JsonNode& node)
+    {
+        const auto error = std::bind_front(&Reader::errorAt, this);
+        const auto say = [this](const JsonNode& at, const Message& message) { warn(at, [&] { return message; }); };
+        const Result<TracksReading> reading = readTracks(node, scope, m_text, {error, say});
+        if (!reading) {
+            return reading.error();
+        }
+        Scene& scene = m_reading.preset.scene;
+        (scope == Scope::Scene ? scene.tracks : scene.layers[m_layer].tracks) = reading.value().tracks;
+        for (const std::string& json : reading.value().unknown) {
+            m_reading.preset.unknown.push_back({std::string(kAnimation), {}, json, m_layer, scope == Scope::Scene});
         }
         return Done{};
     }

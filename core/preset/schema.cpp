@@ -2,6 +2,7 @@
 
 #include "core/base/base64.h"
 #include "core/effect/parameter_table.h"
+#include "core/effect/track.h"
 #include "core/effect/value.h"
 #include "core/preset/preset_keys.h"
 #include "core/preset/preset.h"
@@ -94,6 +95,29 @@ Json groupsSchema(Scope scope)
     return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(groups)}};
 }
 
+/// The tracks of a scope.
+Json animationSchema(Scope scope)
+{
+    Json tracks = Json::array();
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.scope != scope || !canAnimate(parameter)) {
+            continue;
+        }
+        const Json slope = {{"anyOf",
+            {Json{{"type", "number"}},
+                tuple({Json{{"type", "number"}}, Json{{"type", "number"}}, Json{{"type", "number"}}})}}};
+        const Json key = {{"type", "array"}, {"minItems", 2}, {"maxItems", 5},
+            {"prefixItems", {Json{{"type", "number"}}, valueSchema(parameter), Json{{"enum", kEases}}, slope, slope}}};
+        const Json outside = {{"enum", kExtrapolations}, {"default", kExtrapolations.front()}};
+        tracks.push_back({{"type", "object"}, {"title", parameter.label}, {"additionalProperties", false},
+            {"required", {kTrackParameter, kTrackKeys}},
+            {"properties",
+                {{kTrackParameter, {{"const", parameter.key}}}, {kTrackBefore, outside}, {kTrackAfter, outside},
+                    {kTrackKeys, {{"type", "array"}, {"minItems", 1}, {"maxItems", kMaxKeyFrames}, {"items", key}}}}}});
+    }
+    return {{"type", "array"}, {"items", {{"anyOf", std::move(tracks)}}}};
+}
+
 /// A layer: what stands beside its groups, and those.
 Json layerSchema()
 {
@@ -103,6 +127,7 @@ Json layerSchema()
     layer["properties"][kLayerLocked] = {{"type", "boolean"}, {"default", false}};
     layer["properties"][kLayerTag] = {{"enum", kColourTags}, {"default", kColourTags.front()}};
     layer["properties"][kLayerFrom] = {{"type", "string"}, {"maxLength", kMaxLayerName}};
+    layer["properties"][kAnimation] = animationSchema(Scope::Layer);
     return layer;
 }
 
@@ -117,6 +142,7 @@ std::string presetSchema()
     properties["name"] = {{"type", "string"}};
     properties["description"] = {{"type", "string"}};
     properties["scene"] = groupsSchema(Scope::Scene);
+    properties["scene"]["properties"][kAnimation] = animationSchema(Scope::Scene);
     properties["layers"] = {{"type", "array"}, {"minItems", 1}, {"maxItems", kMaxLayers}, {"items", layerSchema()}};
     const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Fumage preset"},
         {"type", "object"}, {"required", {"format", "version"}}, {"additionalProperties", false},

@@ -96,14 +96,15 @@ const Particles* inTheSameSlots(const Frame& other, std::int64_t laps, Particles
 /// @param frames how many frames later it is shown, less than 0: earlier
 /// @param room   where its particles are put, if they have other slots than now
 OtherMoment momentOf(
-    const Frame& now, const Frame* other, int frames, const Effect& effect, const glm::ivec2& size, Particles& room)
+    const Frame& now, const Frame* other, int frames, const Camera& camera, const glm::ivec2& size, Particles& room)
 {
     OtherMoment moment;
     if (other == nullptr) {
         return moment;
     }
     // Where the loop starts again the numbers go back: the camera and the births are those of the turn that goes on.
-    moment.view = makeView(effect.camera, secondsOf(effect.timeline, now.number + frames), size.x, size.y);
+    const Timeline& timeline = now.model->effect()->timeline;
+    moment.view = makeView(camera, secondsOf(timeline, now.number + frames), size.x, size.y);
     moment.laps = static_cast<std::int32_t>(other->step - (now.step + frames * now.model->schedule().stepsPerFrame));
     moment.particles = inTheSameSlots(*other, moment.laps, room);
     return moment;
@@ -211,8 +212,8 @@ void PassRenderer::fillColours(const FrameAmongOthers& frames, std::size_t layer
     if (needsTarget(passes, PassTarget::Motion)) {
         const glm::ivec2 size(batch.view.width, batch.view.height);
         const Effect& effect = *of.effect;
-        job.previous = momentOf(*of.now, of.previous, -frames.sincePrevious, effect, size, m_previous);
-        job.next = momentOf(*of.now, of.next, frames.untilNext, effect, size, m_next);
+        job.previous = momentOf(*of.now, of.previous, -frames.sincePrevious, m_cameraBefore, size, m_previous);
+        job.next = momentOf(*of.now, of.next, frames.untilNext, m_cameraAfter, size, m_next);
         job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect.timeline.frameRate);
         job.motion = &target(PassTarget::Motion, layer);
     }
@@ -224,9 +225,31 @@ void PassRenderer::fillColours(const FrameAmongOthers& frames, std::size_t layer
         batch.sprites.size() / kSpriteBlock, [&](std::size_t block) { makePassBlock(job, block * kSpriteBlock); });
 }
 
-Status PassRenderer::render(const FrameAmongOthers& frames, int width, int height, PassSet passes, PassImages& images,
-    const std::stop_token& stop)
+const FrameAmongOthers& PassRenderer::atThatFrame(const FrameAmongOthers& frames)
 {
+    const LayerAmongOthers& first = frames.layers.front();
+    const auto cameraOf = [&](const Frame* frame) {
+        return frame == nullptr ? (*first.effect)->camera : first.effect->atFrame(frame->number)->camera;
+    };
+    m_cameraBefore = cameraOf(first.previous);
+    m_cameraAfter = cameraOf(first.next);
+    if (std::none_of(frames.layers.begin(), frames.layers.end(),
+            [](const LayerAmongOthers& layer) { return layer.effect->tracks() != nullptr; })) {
+        return frames;
+    }
+    m_now = frames;
+    m_effects.clear();
+    m_effects.reserve(frames.layers.size());
+    for (LayerAmongOthers& layer : m_now.layers) {
+        layer.effect = &m_effects.emplace_back(layer.effect->atFrame(layer.now->number));
+    }
+    return m_now;
+}
+
+Status PassRenderer::render(
+    const FrameAmongOthers& all, int width, int height, PassSet passes, PassImages& images, const std::stop_token& stop)
+{
+    const FrameAmongOthers& frames = atThatFrame(all);
     const Effect& effect = *frames.layers.front().effect;
     const int factor = effect.output.supersample;
     const View view = makeView(

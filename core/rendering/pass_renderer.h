@@ -37,8 +37,8 @@ public:
     /// premultiplied, without background
     /// @error TooLarge before allocating, Cancelled
     /// A pure function of its arguments, to the bit.
-    [[nodiscard]] Status render(const FrameAmongOthers& frames, int width, int height, PassSet passes,
-        PassImages& images, const std::stop_token& stop = {});
+    [[nodiscard]] Status render(const FrameAmongOthers& all, int width, int height, PassSet passes, PassImages& images,
+        const std::stop_token& stop = {});
 
     /// The pictures of one layer of the last frame by itself: under the light that all layers have, with nothing before
     /// or behind it. Of a frame of one layer they are those of render().
@@ -70,6 +70,13 @@ private:
     void fillColours(const FrameAmongOthers& frames, std::size_t layer, PassSet passes);
     [[nodiscard]] Status paint(std::size_t first, std::size_t count, PassImages& images, const std::stop_token& stop);
 
+    /// The frame with each layer as it is then.
+    [[nodiscard]] const FrameAmongOthers& atThatFrame(const FrameAmongOthers& frames);
+
+    FrameAmongOthers m_now; ///< where anything changes from frame to frame
+    std::vector<SampledEffect> m_effects; ///< that it looks at
+    Camera m_cameraBefore; ///< of the frames beside
+    Camera m_cameraAfter;
     Renderer m_renderer;
     Compositor m_compositor;
     std::vector<Appearance> m_inView; ///< of each layer, with bounds in the axes of the camera

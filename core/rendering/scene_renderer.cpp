@@ -1,14 +1,20 @@
 #include "core/rendering/scene_renderer.h"
 
+#include <algorithm>
+
 namespace fumage {
 
-std::vector<LayerFrame> layerFrames(const SceneFrame& frame, SampledLayers layers)
+LayersAtFrame::LayersAtFrame(const SceneFrame& frame, SampledLayers layers)
 {
-    std::vector<LayerFrame> out;
+    const bool changes =
+        std::any_of(layers.begin(), layers.end(), [](const SampledEffect& layer) { return layer.tracks() != nullptr; });
+    m_changed.reserve(changes ? layers.size() : 0);
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        out.push_back({frame.layers[i].get(), &layers[i]});
+        if (changes) {
+            m_changed.push_back(layers[i].atFrame(frame.layers[i]->number));
+        }
+        m_frames.push_back({frame.layers[i].get(), changes ? &m_changed[i] : &layers[i]});
     }
-    return out;
 }
 
 SceneRenderer::SceneRenderer(const Scene& scene, const std::shared_ptr<AirCache>& shelf)
@@ -20,7 +26,7 @@ SceneRenderer::SceneRenderer(const Scene& scene, const std::shared_ptr<AirCache>
 Status SceneRenderer::render(int number, int width, int height, Image& image, const Task& task)
 {
     const Result<SceneFrame> frame = m_simulator.frame(number, task);
-    return frame ? m_renderer.render(layerFrames(frame.value(), m_layers), width, height, image, task.stop)
+    return frame ? m_renderer.render(LayersAtFrame(frame.value(), m_layers), width, height, image, task.stop)
                  : Status(frame.error());
 }
 

@@ -9,9 +9,26 @@
 
 namespace fumage {
 
-/// The layers of a frame as the renderer takes them.
-/// @param frame of the same layers; both outlive what is returned
-[[nodiscard]] std::vector<LayerFrame> layerFrames(const SceneFrame& frame, SampledLayers layers);
+/// The layers of a frame as the renderer takes them: each as it is at that frame.
+class LayersAtFrame {
+public:
+    /// @param frame of the same layers; both outlive this
+    LayersAtFrame(const SceneFrame& frame, SampledLayers layers);
+    LayersAtFrame(const LayersAtFrame&) = delete; // the frames look at the effects
+    LayersAtFrame& operator=(const LayersAtFrame&) = delete;
+
+    [[nodiscard]] operator LayerFrames() const // NOLINT(google-explicit-constructor): it is what they are
+    {
+        return m_frames;
+    }
+    [[nodiscard]] const std::vector<LayerFrame>& frames() const { return m_frames; }
+    /// What all layers share, as it is at that frame.
+    [[nodiscard]] const SampledEffect& surroundings() const { return *m_frames.front().effect; }
+
+private:
+    std::vector<SampledEffect> m_changed; ///< where anything changes from frame to frame: all layers
+    std::vector<LayerFrame> m_frames;
+};
 
 /// Makes pictures of a scene: simulates and renders. Keeps its buffers. Not thread-safe; uses all threads inside.
 class SceneRenderer {

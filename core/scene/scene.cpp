@@ -67,6 +67,17 @@ Effect Scene::effect(std::size_t layer) const
     return out;
 }
 
+Effect Scene::effectAt(std::size_t layer, double seconds) const
+{
+    Effect out = effect(layer);
+    for (const Tracks* all : {&tracks, &layers[layer].tracks}) {
+        for (const Track& track : all->all()) {
+            track.parameter->set(out, track.at(seconds));
+        }
+    }
+    return out;
+}
+
 void Scene::setSurroundings(const Effect& effect)
 {
     copySurroundings(effect, *this);
@@ -76,6 +87,38 @@ void Scene::assign(std::size_t layer, const Effect& effect)
 {
     setSurroundings(effect);
     copyLayer(effect, layers[layer]);
+}
+
+Tracks& Scene::tracksOf(const Parameter& parameter, std::size_t layer)
+{
+    return parameter.scope == Scope::Scene ? tracks : layers[layer].tracks;
+}
+
+const Tracks& Scene::tracksOf(const Parameter& parameter, std::size_t layer) const
+{
+    return parameter.scope == Scope::Scene ? tracks : layers[layer].tracks;
+}
+
+Tracks Scene::allTracks(std::size_t layer) const
+{
+    Tracks all = tracks;
+    all.add(layers[layer].tracks);
+    return all;
+}
+
+Scene Scene::atFrame(int number) const
+{
+    Scene out = *this;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (const Tracks all = allTracks(layer); !all.empty()) {
+            Effect now = effect(layer);
+            readFrame(all, number, now);
+            out.assign(layer, now);
+            out.layers[layer].tracks = {};
+        }
+    }
+    out.tracks = {};
+    return out;
 }
 
 std::vector<std::size_t> Scene::visibleLayers() const
@@ -115,25 +158,34 @@ std::optional<std::size_t> parentOf(const Scene& scene, std::size_t layer)
     return name.empty() ? std::nullopt : layersNamed(scene, name).only();
 }
 
+bool isBornOn(const Scene& scene, std::size_t layer, std::size_t ancestor)
+{
+    std::optional<std::size_t> next = layer;
+    for (std::size_t steps = 0; next && steps <= scene.layers.size(); ++steps) {
+        if (*next == ancestor) {
+            return true;
+        }
+        next = parentOf(scene, *next);
+    }
+    return false;
+}
+
 Status checkParent(const Scene& scene, std::size_t layer)
 {
     if (scene.layers[layer].from.empty()) {
         return Done{};
     }
-    std::optional<std::size_t> next = parentOf(scene, layer);
+    const std::optional<std::size_t> next = parentOf(scene, layer);
     if (!next) {
         return Error{ErrorCode::UnknownName,
             makeMessage("there is no one layer %1 to be born on", inQuotes(scene.layers[layer].from)), {},
             makeMessage("Name a layer that no other shares its name with")};
     }
-    for (std::size_t steps = 0; next && steps <= scene.layers.size(); ++steps) {
-        if (*next == layer) {
-            return Error{ErrorCode::OutOfRange,
-                makeMessage("layer %1 would be born on itself, by way of %2", inQuotes(scene.layers[layer].name),
-                    inQuotes(scene.layers[layer].from)),
-                {}, makeMessage("Let one layer of the ring be born on its emitter")};
-        }
-        next = parentOf(scene, *next);
+    if (isBornOn(scene, *next, layer)) {
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("layer %1 would be born on itself, by way of %2", inQuotes(scene.layers[layer].name),
+                inQuotes(scene.layers[layer].from)),
+            {}, makeMessage("Let one layer of the ring be born on its emitter")};
     }
     return Done{};
 }
@@ -171,7 +223,7 @@ SampledEffect atGoodQuality(const Scene& scene, std::size_t layer)
 {
     Effect effect = effectInScene(scene, layer);
     effect.output.quality = Quality::Good;
-    return sampled(effect);
+    return sampled(effect, scene.allTracks(layer));
 }
 
 /// A layer with those that it is born on.
@@ -194,7 +246,7 @@ bool isParent(SampledLayers layers, const SampledEffect& layer)
 }
 
 /// Whether another layer of the scene is born on one.
-bool isBornOn(const Scene& scene, std::size_t layer)
+bool isParent(const Scene& scene, std::size_t layer)
 {
     for (std::size_t other = 0; other < scene.layers.size(); ++other) {
         if (parentOf(scene, other) == layer) {
@@ -210,7 +262,7 @@ Effect simulatedEffect(const Scene& scene, std::size_t layer)
 {
     Effect effect = effectInScene(scene, layer);
     const bool keeps = !scene.layers[layer].visible || effect.emitter.count <= kMaxKeptParents;
-    if (keeps && isBornOn(scene, layer)) {
+    if (keeps && isParent(scene, layer)) {
         effect.output.quality = Quality::Good;
     }
     return effect;
@@ -234,18 +286,23 @@ void thinLayers(std::vector<SampledEffect>& layers, std::int64_t most)
     }
 }
 
+SampledEffect sampledLayer(const Scene& scene, std::size_t layer)
+{
+    return withParents(scene, layer, sampled(simulatedEffect(scene, layer), scene.allTracks(layer)));
+}
+
 std::vector<SampledEffect> sampledLayers(const Scene& scene)
 {
     std::vector<SampledEffect> out;
     for (const std::size_t layer : scene.visibleLayers()) {
-        out.push_back(withParents(scene, layer, sampled(simulatedEffect(scene, layer))));
+        out.push_back(sampledLayer(scene, layer));
     }
     if (out.empty()) {
         Effect nothing = scene.effect();
         nothing.emitter.count = 1;
         nothing.look.opacity = 0.0F;
         nothing.source.feeds = false;
-        return {sampled(nothing)};
+        return {sampled(nothing, scene.tracks)};
     }
     thinLayers(out, kMaxParticles);
     return out;

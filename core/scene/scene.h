@@ -3,6 +3,7 @@
 #include "core/base/result.h"
 #include "core/effect/effect.h"
 #include "core/effect/sampling.h"
+#include "core/effect/tracks.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -50,6 +51,7 @@ struct Layer {
     Look look;
     Noise noise;
     Glow glow;
+    Tracks tracks; ///< of its own parameters
     friend bool operator==(const Layer&, const Layer&) = default;
 };
 
@@ -64,6 +66,7 @@ struct Scene {
     Camera camera;
     Timeline timeline;
     Output output;
+    Tracks tracks; ///< of the surroundings' parameters
     std::vector<Layer> layers{Layer()}; ///< 1 to kMaxLayers
 
     Scene() = default;
@@ -72,10 +75,23 @@ struct Scene {
     /// A layer in its surroundings.
     /// @param layer below layers.size()
     [[nodiscard]] Effect effect(std::size_t layer = 0) const;
+    /// The same with the values that all parameters have at a time which change over time, whenever they are read: what
+    /// somebody looks at, or what is set from outside step by step.
+    /// @param seconds since frame 0
+    [[nodiscard]] Effect effectAt(std::size_t layer, double seconds) const;
     /// Takes an effect apart: the surroundings become its own, and the layer.
     void assign(std::size_t layer, const Effect& effect);
     /// Takes the surroundings alone.
     void setSurroundings(const Effect& effect);
+    /// The tracks that a parameter of a layer has its own in: the layer's, or those of what all layers share.
+    [[nodiscard]] Tracks& tracksOf(const Parameter& parameter, std::size_t layer);
+    [[nodiscard]] const Tracks& tracksOf(const Parameter& parameter, std::size_t layer) const;
+    /// All that changes over time of a layer in its surroundings.
+    [[nodiscard]] Tracks allTracks(std::size_t layer) const;
+    /// The scene as a frame is drawn, for what looks at it, without key frames: what is read once a frame has its
+    /// value, what is read at steps and births is as it is without.
+    /// @param number 0 or more
+    [[nodiscard]] Scene atFrame(int number) const;
     /// The layers that are seen, in their order; where none is, none.
     [[nodiscard]] std::vector<std::size_t> visibleLayers() const;
     /// Particles of all layers that are seen, once they are warm.
@@ -89,6 +105,9 @@ struct Scene {
 
 /// The layer on whose particles those of another are born; none: on its emitter, or there is no such layer.
 [[nodiscard]] std::optional<std::size_t> parentOf(const Scene& scene, std::size_t layer);
+
+/// Whether a layer is another, or is born on one that is, or on one that is born on that, and so on.
+[[nodiscard]] bool isBornOn(const Scene& scene, std::size_t layer, std::size_t ancestor);
 
 /// Whether the parent of a layer is there and leads back to no layer that was on the way.
 /// @error UnknownName where no layer, or several, have the name; OutOfRange where layers are born on one another in a
@@ -117,5 +136,8 @@ inline constexpr int kMaxKeptParents = 4096;
 /// kMaxParticles in all at most. Where none is visible it is the first one, transparent: a picture has a camera. A
 /// parent that is not there, or a ring of them, counts as none; see checkParent().
 [[nodiscard]] std::vector<SampledEffect> sampledLayers(const Scene& scene);
+
+/// One layer of them, whether it is visible or not, without the bound on all layers together.
+[[nodiscard]] SampledEffect sampledLayer(const Scene& scene, std::size_t layer);
 
 } // namespace fumage

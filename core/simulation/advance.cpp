@@ -20,6 +20,7 @@ constexpr std::int64_t kStepsAtOnceInAir = 4;
 
 /// A step with the births that it has.
 struct PlannedStep {
+    Spawner spawner;
     std::vector<StepConstants> parts;
     std::shared_ptr<const AirField> air;
     std::int64_t firstBirth = 0;
@@ -31,7 +32,6 @@ class ChunkRunner {
 public:
     ChunkRunner(const SimulationModel& model, Particles& particles)
         : m_schedule(model.schedule())
-        , m_spawner(model.effect()->emitter)
         , m_particles(particles)
         , m_ring(particles)
     {
@@ -73,14 +73,13 @@ private:
             const std::span<const SubEmission> on = step.on.empty()
                 ? std::span<const SubEmission>()
                 : std::span(step.on).subspan(static_cast<std::size_t>(first - step.firstBirth), end - slot);
-            spawnInChunk(m_spawner, step.parts, random, slot, end, on, m_particles);
+            spawnInChunk(step.spawner, step.parts, random, slot, end, on, m_particles);
             slot = end;
             first += count;
         }
     }
 
     const Schedule& m_schedule;
-    Spawner m_spawner;
     Particles& m_particles;
     ParticleRing m_ring;
 };
@@ -91,8 +90,8 @@ Result<std::vector<PlannedStep>> plannedSteps(const SimulationModel& model, std:
 {
     std::vector<PlannedStep> steps;
     for (std::int64_t step = from + 1; step <= to; ++step) {
-        PlannedStep& planned = steps.emplace_back(
-            PlannedStep{{}, nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1), {}});
+        PlannedStep& planned = steps.emplace_back(PlannedStep{model.spawnerAt(step), {}, nullptr,
+            model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1), {}});
         if (model.air() != nullptr) {
             const auto field = model.air()->field(model.airStep(step), stop);
             if (!field) {

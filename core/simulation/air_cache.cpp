@@ -12,7 +12,7 @@ std::shared_ptr<BakedAir> AirCache::airOf(SampledLayers layers)
     if (!layers.front()->air.enabled) {
         return nullptr;
     }
-    std::vector<Effect> parts = airParts(layers);
+    std::vector<AirPart> parts = airParts(layers);
     const std::scoped_lock lock(m_mutex);
     const auto found =
         std::find_if(m_airs.begin(), m_airs.end(), [&](const auto& each) { return each.first == parts; });
@@ -34,7 +34,7 @@ void AirCache::clear()
 
 std::int64_t AirCache::missingSteps(SampledLayers layers, int frame) const
 {
-    const std::vector<Effect> parts = airParts(layers);
+    const std::vector<AirPart> parts = airParts(layers);
     const Schedule schedule = makeSchedule(layers.front());
     const std::int64_t step = firstAirStep(layers) + frame * schedule.stepsPerFrame;
     const std::scoped_lock lock(m_mutex);

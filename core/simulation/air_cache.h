@@ -2,6 +2,7 @@
 
 #include "core/effect/sampling.h"
 #include "core/flow/air.h"
+#include "core/simulation/air_plan.h"
 
 #include <memory>
 #include <mutex>
@@ -38,7 +39,7 @@ public:
 private:
     std::size_t m_most;
     mutable std::mutex m_mutex;
-    std::vector<std::pair<std::vector<Effect>, std::shared_ptr<BakedAir>>>
+    std::vector<std::pair<std::vector<AirPart>, std::shared_ptr<BakedAir>>>
         m_airs; ///< by airParts(), the one used last at the end
 };
 

@@ -78,6 +78,39 @@ Box fittedBox(const SampledEffect& effect)
     return box;
 }
 
+/// Times at which a box looks at an effect, s: at its keys, and between them where it may swing out.
+std::vector<double> timesOf(const SampledEffect& effect)
+{
+    std::vector<double> times{0.0};
+    constexpr std::size_t kMaxTimes = 256;
+    constexpr int kBetween = 4;
+    for (const Track& track : effect.tracks() ? effect.tracks()->all() : std::span<const Track>()) {
+        const std::size_t stride = 1 + kBetween * track.keys.size() / kMaxTimes;
+        for (std::size_t key = 0; track.parameter->dirties == DirtyStage::Air && key < track.keys.size();
+             key += stride) {
+            const double from = track.keys[key].seconds;
+            const double to = track.keys[std::min(key + stride, track.keys.size() - 1)].seconds;
+            for (int part = 0; part < kBetween; ++part) {
+                times.push_back(std::max(0.0, from + (to - from) * part / kBetween));
+            }
+        }
+    }
+    return times;
+}
+
+/// What holds an effect at all times.
+Box boxOverTime(const SampledEffect& effect)
+{
+    Box box = fittedBox(effect.atTime(0.0));
+    if (effect.tracks()) {
+        for (const double seconds : timesOf(effect)) {
+            const Box then = fittedBox(effect.atTime(seconds));
+            box = {glm::min(box.low, then.low), glm::max(box.high, then.high)};
+        }
+    }
+    return box;
+}
+
 std::vector<std::size_t> feedingLayers(SampledLayers layers)
 {
     std::vector<std::size_t> out;
@@ -88,11 +121,11 @@ std::vector<std::size_t> feedingLayers(SampledLayers layers)
 Box boxOf(SampledLayers layers)
 {
     const std::vector<std::size_t> feeding = feedingLayers(layers);
-    const SampledEffect& first = layers[feeding.front()];
+    const SampledEffect first = layers[feeding.front()].atTime(0.0);
     const Air& air = first->air;
-    Box box = fittedBox(first);
+    Box box = boxOverTime(layers[feeding.front()]);
     for (const std::size_t layer : feeding) {
-        const Box other = fittedBox(layers[layer]);
+        const Box other = boxOverTime(layers[layer]);
         box = {glm::min(box.low, other.low), glm::max(box.high, other.high)};
     }
     const glm::vec3 foot = first->emitter.position;
@@ -140,7 +173,7 @@ double workBeforeFirstFrame(SampledLayers layers, const AirGrid& grid)
     int pieces = 1;
     for (const std::size_t layer : feedingLayers(layers)) {
         const bool acts = layers[layer]->emitter.mode == EmissionMode::Continuous;
-        pieces = std::max(pieces, piecesOfStep(layers[layer], schedule.dt, acts));
+        pieces = std::max(pieces, piecesOfStep(layers[layer].strongest(), schedule.dt, acts));
     }
     return steps * pieces * cells;
 }
@@ -231,7 +264,7 @@ Status checkAir(SampledLayers layers)
             makeMessage("Turn air.fit off and give air.size, or make the emitter smaller or slower")};
     }
     for (const std::size_t layer : feedingLayers(layers)) {
-        if (Status status = checkEmitter(layers[layer], grid); !status) {
+        if (Status status = checkEmitter(layers[layer].atTime(0.0), grid); !status) {
             return status;
         }
     }
@@ -286,22 +319,29 @@ AirPlan airPlan(SampledLayers layers)
     plan.firstStep = firstAirStep(layers);
     plan.loopSteps = models.front().schedule().loopSteps;
     plan.parts = usualParts(feedersAt(models, 1));
-    plan.wind = windSpeed(models.front().windAt(static_cast<double>(-models.front().clock().stepsBehind)), air);
+    const auto start = static_cast<double>(-models.front().clock().stepsBehind);
+    std::optional<SampledEffect> room;
+    plan.wind = windSpeed(models.front().windAt(start), models.front().effectAt(start, room)->air);
     plan.stepTo = [models = std::move(models), grid = plan.grid](
                       std::int64_t number) { return airStep(feedersAt(models, number), grid); };
     return plan;
 }
 
-std::vector<Effect> airParts(SampledLayers layers)
+std::vector<AirPart> airParts(SampledLayers layers)
 {
-    std::vector<Effect> parts;
+    std::vector<AirPart> parts;
     for (const std::size_t layer : feedingLayers(layers)) {
-        Effect& part = parts.emplace_back();
+        AirPart& part = parts.emplace_back();
         for (const Parameter& parameter : parameterTable()) {
             // What does not loop goes on for ever: its length is that of the pictures.
             if (parameter.dirties == DirtyStage::Air
                 && (layers[layer]->timeline.loop || &parameter != &knownParameter("timeline.length"))) {
-                parameter.set(part, parameter.get(layers[layer]));
+                parameter.set(part.effect, parameter.get(layers[layer]));
+            }
+        }
+        for (const Track& track : layers[layer].tracks() ? layers[layer].tracks()->all() : std::span<const Track>()) {
+            if (track.parameter->dirties == DirtyStage::Air) {
+                part.tracks.set(track);
             }
         }
     }

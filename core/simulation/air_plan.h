@@ -62,8 +62,14 @@ void findFeedingLayers(SampledLayers layers, std::vector<std::size_t>& out);
     return airPlan({&effect, 1});
 }
 
-/// The parts of the layers that their air depends on, everything else at its default: equal for scenes that share their
-/// air.
-[[nodiscard]] std::vector<Effect> airParts(SampledLayers layers);
+/// The part of a layer that its air depends on, everything else at its default.
+struct AirPart {
+    Effect effect;
+    Tracks tracks;
+    friend bool operator==(const AirPart&, const AirPart&) = default;
+};
+
+/// The parts of the layers that their air depends on: equal for scenes that share their air.
+[[nodiscard]] std::vector<AirPart> airParts(SampledLayers layers);
 
 } // namespace fumage

@@ -130,13 +130,12 @@ void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed,
 
 /// How strong a source that surges is at a step, 1 in the mean: in each puff it swells soon and falls slowly, as
 /// 27/4 f (1 - f)^2 of the share f of the puff that has passed, and each is as strong as chance has it.
-float surgeAt(const SampledEffect& effect, const Schedule& schedule, double step)
+float surgeAt(const SimulationModel& model, const SampledEffect& effect, double step)
 {
     constexpr float kPeak = 27.0F / 4.0F; // f (1 - f)^2 is 4/27 at most
     constexpr float kMean = kPeak / 12.0F;
     constexpr float kChance = 0.4F;
-    const RowPosition puff =
-        rowPosition(step, schedule, static_cast<double>(effect->source.surgeRate) * static_cast<double>(schedule.dt));
+    const RowPosition puff = model.surgeAt(step);
     const std::uint32_t key = keyOf(streamBits(effect->emitter.seed, kSurge), static_cast<std::uint64_t>(puff.before));
     const float f = puff.fraction;
     const float swell = (1.0F + kChance * signedFloat(key)) * kPeak * f * (1.0F - f) * (1.0F - f);
@@ -151,9 +150,11 @@ bool surges(const SampledEffect& effect)
 
 /// What stirs the air at a step. Each octave has swirls half as large as the one before and 0.7 of its strength, and
 /// becomes another about as often as its swirls turn around.
-TurbulenceForcing forcingAt(const SampledEffect& effect, const AirGrid& grid, const Schedule& schedule, double step)
+/// @param effect at the step
+TurbulenceForcing forcingAt(const SimulationModel& model, const SampledEffect& effect, const AirGrid& grid, double step)
 {
     const Air& air = effect->air;
+    const Air& strongest = model.strongest()->air;
     constexpr float kRoughness = 0.7F;
     constexpr float kSquares = 1.0F + kRoughness * kRoughness * (1.0F + kRoughness * kRoughness); // of three octaves
     constexpr float kComponents = 3.0F;
@@ -165,12 +166,15 @@ TurbulenceForcing forcingAt(const SampledEffect& effect, const AirGrid& grid, co
     forcing.calm = 0.5F * std::max(sourceRadius(effect->emitter), grid.cell);
     float size = std::max(air.turbulenceScale, kMinCells * grid.cell);
     float weight = kCurlNormalisation / std::sqrt(kComponents * kSquares);
-    float strength = air.turbulence;
+    float rated = std::max(strongest.turbulenceScale, kMinCells * grid.cell);
+    float strength = strongest.turbulence;
     for (std::uint32_t i = 0; i < kForcingOctaves && size >= kMinCells * grid.cell; ++i) {
         const std::uint32_t own = streamBits(effect->emitter.seed, kForcing + i);
-        forcing.octave[i] = octaveAt(step, schedule, own, 1.0F / size, kTurns * std::sqrt(strength / size), weight);
+        const float often = kTurns * std::sqrt(strength / rated);
+        forcing.octave[i] = octaveAt(step, model.schedule(), own, 1.0F / size, often, weight);
         forcing.octaves = i + 1;
         size *= 0.5F;
+        rated *= 0.5F;
         weight *= kRoughness;
         strength *= kRoughness;
     }
@@ -245,7 +249,9 @@ void forParts(std::span<const AirFeeder> feeders, const Visit& visit)
         const auto span = static_cast<float>(static_cast<double>(end) - static_cast<double>(begin));
         float growth = 0.0F;
         for (const AirFeeder& feeder : feeders) {
-            growth = std::max(growth, feeder.acts > begin ? mostGrowth(feeder.model->effect()) : 0.0F);
+            std::optional<SampledEffect> room;
+            const SampledEffect& effect = feeder.model->effectAt(static_cast<double>(feeder.number), room);
+            growth = std::max(growth, feeder.acts > begin ? mostGrowth(effect) : 0.0F);
         }
         const Division division = divisionOf(span * feeders.front().model->schedule().dt, growth);
         for (int i = 0; i < division.parts; ++i) {
@@ -260,29 +266,40 @@ void forParts(std::span<const AirFeeder> feeders, const Visit& visit)
     }
 }
 
+/// How far a source reaches from its middle, m: at least as far as the grid can show.
+float reachOf(const Emitter& emitter, const AirGrid& grid)
+{
+    const glm::vec2 reach = sourceReach(emitter);
+    return std::max({reach.x, reach.y, 1.5F * grid.cell});
+}
+
 /// What an emitter does to the air in a part of a step.
 /// @param dt of a piece
 AirFeed feedOf(const AirFeeder& feeder, const AirGrid& grid, const Moment& moment, float dt)
 {
-    const SampledEffect& effect = feeder.model->effect();
-    const Schedule& schedule = feeder.model->schedule();
+    const SimulationModel& model = *feeder.model;
     const double begin = moment.beginAfter(feeder.number - 1);
     const double end = moment.endAfter(feeder.number - 1);
+    std::optional<SampledEffect> room;
+    const SampledEffect& effect = model.effectAt(end, room);
     AirFeed feed;
     AirSource& source = feed.source;
     source = steadySource(effect, grid);
-    source.acts = feeder.acts > moment.actsBeyond;
+    source.acts = feeder.acts > moment.actsBeyond && effect->emitter.rate > 0.0F;
+    source.heat *= effect->emitter.rate;
+    source.expansion *= effect->emitter.rate;
     source.relaxation =
         effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kRelaxation * alongNormal(effect->emitter) * dt) : 0.0F;
     feed.vortex = vortexOf(effect, dt);
     if (source.acts && (source.raggedness > 0.0F || source.unevenness > 0.0F)) {
-        const float radius = std::max(source.reach.x, source.reach.y);
+        const Effect& often = model.strongest();
+        const float radius = reachOf(often.emitter, grid);
         const float rate =
-            0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(effect->air.buoyancy) * radius)) / radius;
-        moveSource(source, schedule, effect->emitter.seed, rate, end);
+            0.5F * std::max(often.emitter.speed, std::sqrt(std::abs(often.air.buoyancy) * radius)) / radius;
+        moveSource(source, model.schedule(), effect->emitter.seed, rate, end);
     }
     if (source.acts && surges(effect)) {
-        const float strength = surgeAt(effect, schedule, 0.5 * (begin + end));
+        const float strength = surgeAt(model, effect, 0.5 * (begin + end));
         source.heat *= strength;
         source.speed *= strength;
         source.expansion *= strength;
@@ -294,10 +311,13 @@ void findAirPart(
     std::span<const AirFeeder> feeders, const AirGrid& grid, const Moment& moment, int pieces, AirStep& step)
 {
     const SimulationModel& model = *feeders.front().model;
-    const SampledEffect& effect = model.effect();
-    const Air& air = effect->air;
     const double begin = moment.beginAfter(feeders.front().number - 1);
     const double end = moment.endAfter(feeders.front().number - 1);
+    std::optional<SampledEffect> room;
+    const SampledEffect& effect = model.effectAt(end, room);
+    const Air& air = effect->air;
+    std::optional<SampledEffect> roomBefore;
+    const Air& airBefore = model.effectAt(begin, roomBefore)->air;
     step.share = moment.share;
     step.pieces = pieces;
     step.dt = model.schedule().dt * moment.share / static_cast<float>(pieces);
@@ -306,8 +326,8 @@ void findAirPart(
     step.confinement = air.vorticity;
     step.friction = air.friction;
     step.wind = windSpeed(model.windAt(end), air);
-    step.windChange = (step.wind - windSpeed(model.windAt(begin), air)) / static_cast<float>(pieces);
-    step.forcing = air.turbulence > 0.0F ? forcingAt(effect, grid, model.schedule(), end) : TurbulenceForcing();
+    step.windChange = (step.wind - windSpeed(model.windAt(begin), airBefore)) / static_cast<float>(pieces);
+    step.forcing = air.turbulence > 0.0F ? forcingAt(model, effect, grid, end) : TurbulenceForcing();
     step.others.clear();
     for (const AirFeeder& feeder : feeders) {
         AirFeed feed = feedOf(feeder, grid, moment, step.dt);

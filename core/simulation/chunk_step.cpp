@@ -1,5 +1,6 @@
 #include "core/simulation/chunk_step.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/simulation/air_kernel.h"
 #include "core/simulation/step.h"
 
@@ -7,8 +8,10 @@ namespace fumage {
 
 Particles::Columns columnsOf(const SimulationModel& model)
 {
-    const Look& look = model.effect()->look;
-    return {.rolls = look.roll > 0.0F, .inAir = model.inAir(), .deforms = model.inAir() && look.deformation > 0.0F};
+    const SampledEffect& effect = model.effect();
+    const bool rolls = effect->look.roll > 0.0F || effect.changes(knownParameter("look.roll"));
+    const bool deforms = effect->look.deformation > 0.0F || effect.changes(knownParameter("look.deformation"));
+    return {.rolls = rolls, .inAir = model.inAir(), .deforms = model.inAir() && deforms};
 }
 
 void findParts(const SimulationModel& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out)

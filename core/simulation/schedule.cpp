@@ -1,5 +1,7 @@
 #include "core/simulation/schedule.h"
 
+#include "core/effect/known_parameter.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +31,15 @@ std::int64_t Schedule::birthsBefore(std::int64_t step) const
     if (step <= 0) {
         return 0;
     }
+    if (table) {
+        const auto steps = static_cast<std::int64_t>(table->before.size()) - 1;
+        if (loopSteps != 0) {
+            return step / steps * table->before.back() + table->before[static_cast<std::size_t>(step % steps)];
+        }
+        return step <= steps
+            ? table->before[static_cast<std::size_t>(step)]
+            : table->before.back() + static_cast<std::int64_t>(static_cast<double>(step - steps) * table->perStep);
+    }
     const std::int64_t period = step / periodSteps;
     const std::int64_t within = std::min(step - period * periodSteps, windowSteps);
     return period * birthsPerPeriod + ceilDivide(within * birthsPerPeriod, windowSteps);
@@ -42,6 +53,9 @@ std::int64_t Schedule::birthIndex(std::int64_t step, std::int64_t slot, std::int
 
 std::int64_t Schedule::capacity() const
 {
+    if (table) {
+        return table->mostAlive;
+    }
     const std::int64_t rest = lifetimeSteps % periodSteps;
     const std::int64_t inRest =
         rest == 0 ? 0 : std::min(birthsPerPeriod, ceilDivide(rest * birthsPerPeriod, windowSteps) + 1);
@@ -58,14 +72,33 @@ float Schedule::actsAfter(std::int64_t step) const
     return left > kRounding ? static_cast<float>(left) : 0.0F;
 }
 
-RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerStep)
+double secondsOfStep(const Schedule& schedule, const Timeline& timeline, double step)
 {
-    const std::int64_t cells = schedule.loopSteps == 0
-        ? 0
-        : std::max<std::int64_t>(1, std::llround(cellsPerStep * static_cast<double>(schedule.loopSteps)));
-    const double position = cells == 0 ? cellsPerStep * step
-                                       : std::fmod(step, static_cast<double>(schedule.loopSteps))
-            * static_cast<double>(cells) / static_cast<double>(schedule.loopSteps);
+    double since = step - static_cast<double>(schedule.firstStep);
+    if (schedule.loopSteps != 0) {
+        const auto loop = static_cast<double>(schedule.loopSteps);
+        since = std::fmod(since, loop);
+        since = since < 0.0 ? since + loop : since;
+    }
+    return since / (static_cast<double>(timeline.frameRate) * timeline.stepsPerFrame);
+}
+
+std::int64_t changingSteps(const Schedule& schedule, const Timeline& timeline, const Track& track)
+{
+    if (schedule.loopSteps != 0) {
+        return schedule.loopSteps;
+    }
+    constexpr std::int64_t kMax = std::int64_t{1} << 22; // 32 MiB of sums
+    const double keyed = std::ceil(track.keys.back().seconds * timeline.frameRate * timeline.stepsPerFrame);
+    const std::int64_t shown = static_cast<std::int64_t>(timeline.length) * timeline.stepsPerFrame;
+    return std::clamp<std::int64_t>(schedule.firstStep + std::max(shown, static_cast<std::int64_t>(keyed)), 1, kMax);
+}
+
+namespace {
+
+/// Where a position lies among cells of which a loop has a whole number, or which have no end.
+RowPosition rowAt(double position, std::int64_t cells)
+{
     const double cell = std::floor(position);
     RowPosition row;
     row.cells = cells;
@@ -74,6 +107,116 @@ RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerSt
     row.fraction = static_cast<float>(position - cell);
     return row;
 }
+
+} // namespace
+
+RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerStep)
+{
+    const auto loop = static_cast<double>(schedule.loopSteps);
+    const std::int64_t cells =
+        schedule.loopSteps == 0 ? 0 : std::max<std::int64_t>(1, std::llround(cellsPerStep * loop));
+    return rowAt(cells == 0 ? cellsPerStep * step : std::fmod(step, loop) * static_cast<double>(cells) / loop, cells);
+}
+
+RateSum::RateSum(const Track& track, const Schedule& schedule, const Timeline& timeline)
+{
+    const std::int64_t steps = changingSteps(schedule, timeline, track);
+    const auto dt = static_cast<double>(schedule.dt);
+    m_before.reserve(static_cast<std::size_t>(steps) + 1);
+    double sum = 0.0;
+    for (std::int64_t step = 0; step < steps; ++step) {
+        m_before.push_back(sum);
+        // What lies before frame 0 goes as at its beginning.
+        const double seconds = std::max(0.0, secondsOfStep(schedule, timeline, static_cast<double>(step) + 0.5));
+        m_perStep = dt * static_cast<double>(std::get<float>(track.at(seconds)));
+        sum += m_perStep;
+    }
+    m_before.push_back(sum);
+}
+
+double RateSum::at(double step) const
+{
+    const auto steps = static_cast<double>(m_before.size() - 1);
+    if (step >= steps) {
+        return m_before.back() + (step - steps) * m_perStep;
+    }
+    const double whole = std::floor(step);
+    const auto before = static_cast<std::size_t>(whole);
+    return m_before[before] + (step - whole) * (m_before[before + 1] - m_before[before]);
+}
+
+RowPosition RateSum::row(double step, const Schedule& schedule) const
+{
+    if (schedule.loopSteps == 0) {
+        return rowAt(at(step), 0);
+    }
+    const double total = m_before.back();
+    const std::int64_t cells = std::max<std::int64_t>(1, std::llround(total));
+    const double within = std::fmod(step, static_cast<double>(schedule.loopSteps));
+    return rowAt(total > 0.0 ? at(within) / total * static_cast<double>(cells) : 0.0, cells);
+}
+
+namespace {
+
+constexpr const Parameter& kRate = knownParameter("emitter.rate");
+
+/// Births that follow a track: those of a schedule without, weighted by what it says in the middle of the time before
+/// each step.
+BirthTable birthTable(const Track& track, const Schedule& schedule, const Timeline& timeline)
+{
+    constexpr double kWhole = 0x1p20; // of a weight of 1
+    const std::int64_t steps = changingSteps(schedule, timeline, track);
+    const std::int64_t one = schedule.windowSteps * static_cast<std::int64_t>(kWhole);
+    BirthTable table;
+    table.before.reserve(static_cast<std::size_t>(steps) + 1);
+    std::int64_t born = 0;
+    std::int64_t rest = 0; // of a birth, in parts of one
+    std::int64_t weight = 0;
+    for (std::int64_t step = 0; step < steps; ++step) {
+        table.before.push_back(born + (rest > 0 ? 1 : 0));
+        // What appears at a step was born in the time before it.
+        const double seconds = std::max(0.0, secondsOfStep(schedule, timeline, static_cast<double>(step) - 0.5));
+        const bool emits = step % schedule.periodSteps < schedule.windowSteps;
+        weight = emits ? std::llround(kWhole * static_cast<double>(std::get<float>(track.at(seconds)))) : 0;
+        rest += weight * schedule.birthsPerPeriod;
+        born += rest / one;
+        rest %= one;
+    }
+    table.before.push_back(born + (rest > 0 ? 1 : 0));
+    table.perStep =
+        static_cast<double>(weight) * static_cast<double>(schedule.birthsPerPeriod) / static_cast<double>(one);
+    return table;
+}
+
+/// Most that are alive at once.
+std::int64_t mostAlive(const Schedule& schedule)
+{
+    const auto steps = static_cast<std::int64_t>(schedule.table->before.size()) - 1;
+    std::int64_t most = 1;
+    for (std::int64_t step = 0; step <= steps + schedule.lifetimeSteps; ++step) {
+        // In a loop all turns before are there.
+        const std::int64_t at = schedule.loopSteps == 0 ? step : step + schedule.lifetimeSteps;
+        most = std::max(most, schedule.birthsBefore(at + 1) - schedule.firstAlive(at));
+    }
+    return most + 1; // what lies beyond the table is rounded
+}
+
+/// How many are born, where it is not all.
+void setRate(const SampledEffect& effect, Schedule& schedule)
+{
+    if (const Track* track = effect.tracks() ? effect.tracks()->find(kRate) : nullptr) {
+        auto table = std::make_shared<BirthTable>(birthTable(*track, schedule, effect->timeline));
+        schedule.birthsPerPeriod =
+            schedule.loopSteps == 0 ? schedule.birthsPerPeriod : std::max<std::int64_t>(1, table->before.back());
+        schedule.table = table;
+        table->mostAlive = mostAlive(schedule);
+    } else if (effect->emitter.rate != 1.0F) {
+        schedule.birthsPerPeriod =
+            std::llround(static_cast<double>(schedule.birthsPerPeriod) * static_cast<double>(effect->emitter.rate));
+    }
+}
+
+} // namespace
 
 Schedule makeSchedule(const SampledEffect& effect)
 {
@@ -119,6 +262,7 @@ Schedule makeSchedule(const SampledEffect& effect)
     const double emitting = std::max(seconds, kShortestBurst) / dt;
     schedule.emittingSteps = ends ? std::min(static_cast<double>(schedule.periodSteps), emitting)
                                   : static_cast<double>(schedule.periodSteps);
+    setRate(effect, schedule);
     return schedule;
 }
 

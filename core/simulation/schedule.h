@@ -3,8 +3,19 @@
 #include "core/effect/sampling.h"
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace fumage {
+
+/// Births of an emission that changes over time, summed up from step 0 on in whole numbers, so that any step can be
+/// reached at once.
+struct BirthTable {
+    std::vector<std::int64_t> before; ///< births before each step of a period, or up to where keys end; one more than
+                                      ///< there are steps
+    double perStep = 0.0; ///< births of each step beyond, where there are no periods
+    std::int64_t mostAlive = 1; ///< at once
+};
 
 /// When each particle is born and how long it lives, in whole steps: closed forms, so that any step can be reached at
 /// once.
@@ -23,6 +34,7 @@ struct Schedule {
     std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it, or starts after it (< 0)
     std::int64_t loopSteps = 0; ///< 0 where the effect does not loop
     std::int64_t stepsPerFrame = 1;
+    std::shared_ptr<const BirthTable> table; ///< null: as many births in each step
     bool betweenSteps = false; ///< births are spread over the time between two steps, each by its own random part of it
 
     /// Births before the given step, which is also the index of the first particle born at it or later. 0 before step
@@ -58,6 +70,13 @@ struct Schedule {
     [[nodiscard]] std::int64_t stepOfFrame(std::int64_t frame) const { return firstStep + frame * stepsPerFrame; }
 };
 
+/// The time of a step since frame 0, s; in a loop within its length.
+/// @param effect of the schedule @param step parts of steps too
+[[nodiscard]] double secondsOfStep(const Schedule& schedule, const Timeline& timeline, double step);
+
+/// Steps from step 0 on until nothing changes any more that a track says, or the timeline ends; in a loop, its length.
+[[nodiscard]] std::int64_t changingSteps(const Schedule& schedule, const Timeline& timeline, const Track& track);
+
 /// A point in a periodic or endless row of random values: two neighbours and the way between them.
 struct RowPosition {
     std::int64_t before = 0;
@@ -70,6 +89,23 @@ struct RowPosition {
 /// numbers of them in a loop.
 /// @param step 0 or more; parts of steps too
 [[nodiscard]] RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerStep);
+
+/// A rate that changes over time, summed up over the steps since step 0: a phase that does not jump where the rate
+/// does.
+class RateSum {
+public:
+    RateSum(const Track& track, const Schedule& schedule, const Timeline& timeline);
+
+    /// The phase at a step, in turns; beyond the keys it goes on as fast as at their end.
+    /// @param step 0 or more; parts of steps too
+    [[nodiscard]] double at(double step) const;
+    /// Where a step lies in a row of random values, as of the other rowPosition().
+    [[nodiscard]] RowPosition row(double step, const Schedule& schedule) const;
+
+private:
+    std::vector<double> m_before; ///< the phase at each step
+    double m_perStep = 0.0; ///< beyond them
+};
 
 /// @param effect in range
 [[nodiscard]] Schedule makeSchedule(const SampledEffect& effect);

@@ -109,12 +109,13 @@ SimulationModel::SimulationModel(const SampledEffect& effect, const LayerClock& 
     , m_clock(clock)
     , m_schedule(makeSchedule(m_effect))
     , m_air(std::move(air))
-    , m_turbulence(effect->turbulence)
+    , m_changes(
+          effect.isAnimated(Animates::Step) || effect.isAnimated(Animates::Birth) || effect.isAnimated(Animates::Rate))
 {
     if (m_air) {
         m_grid = m_air->plan().grid;
-        m_turbulence = belowTheGrid(effect->turbulence, m_grid->cell, effect->turbulence.detail);
     }
+    sumRates();
 }
 
 SimulationModel::SimulationModel(const SampledEffect& effect, const AirGrid& grid)
@@ -127,15 +128,15 @@ SimulationModel::SimulationModel(const SampledEffect& effect, const LayerClock& 
     , m_clock(clock)
     , m_schedule(makeSchedule(m_effect))
     , m_grid(grid)
-    , m_turbulence(belowTheGrid(effect->turbulence, grid.cell, effect->turbulence.detail))
 {
 }
 
 float SimulationModel::gustAt(double step, std::uint32_t stream) const
 {
-    const double time = step + static_cast<double>(m_clock.stepsBehind);
-    const RowPosition row =
-        rowPosition(std::max(0.0, time), m_schedule, static_cast<double>(m_effect->wind.gustRate * m_schedule.dt));
+    const double time = std::max(0.0, step + static_cast<double>(m_clock.stepsBehind));
+    const RowPosition row = m_gusts
+        ? m_gusts->row(time, m_schedule)
+        : rowPosition(time, m_schedule, static_cast<double>(m_effect->wind.gustRate * m_schedule.dt));
     const std::uint32_t seed = streamBits(m_clock.windSeed, stream);
     const float a = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.before)));
     const float b = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.after)));
@@ -144,7 +145,8 @@ float SimulationModel::gustAt(double step, std::uint32_t stream) const
 
 glm::vec3 SimulationModel::windAt(double step) const
 {
-    const Wind& wind = m_effect->wind;
+    std::optional<SampledEffect> room;
+    const Wind& wind = effectAt(step, room)->wind;
     const float strength = wind.strength * (1.0F + wind.gust * gustAt(step, kGustStrength));
     const float angle = wind.angle + wind.gust * kGustAngleRange * gustAt(step, kGustAngle);
     return strength * horizontalDirection(angle);
@@ -159,13 +161,13 @@ float SimulationModel::rotationAt(std::int64_t step) const
 {
     const std::uint32_t bits =
         streamBits(stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step))), kRotation);
-    return radians(m_effect->motion.rotation + m_effect->motion.rotationJitter * drawScale() * signedFloat(bits))
-        * m_schedule.dt;
+    std::optional<SampledEffect> room;
+    const Motion& motion = effectAt(static_cast<double>(step), room)->motion;
+    return radians(motion.rotation + motion.rotationJitter * drawScale() * signedFloat(bits)) * m_schedule.dt;
 }
 
-OctaveAtStep SimulationModel::octaveAt(std::int64_t step, int octave) const
+OctaveAtStep SimulationModel::octaveAt(const Turbulence& turbulence, std::int64_t step, int octave) const
 {
-    const Turbulence& turbulence = m_turbulence;
     const auto order = static_cast<float>(octave);
     OctaveAtStep out;
     out.frequency = portablePow(turbulence.lacunarity, order);
@@ -215,18 +217,11 @@ OctaveAtStep SimulationModel::octaveAt(std::int64_t step, int octave) const
     return out;
 }
 
-void SimulationModel::placeRings(std::int64_t step, StepConstants& out) const
+void SimulationModel::placeRings(const Effect& now, std::int64_t step, StepConstants& out) const
 {
-    const Rings& rings = m_effect->rings;
+    const Rings& rings = now.rings;
     const auto spacing = static_cast<double>(rings.spacing);
-    double passed = static_cast<double>(rings.speed) * static_cast<double>(m_schedule.dt) / spacing; // rings a step
-    if (m_schedule.loopSteps != 0) {
-        const auto loop = static_cast<double>(m_schedule.loopSteps);
-        const double inLoop = std::round(passed * loop);
-        passed = inLoop / loop;
-        out.ringsInLoop = static_cast<float>(std::max(1.0, inLoop));
-    }
-    passed *= static_cast<double>(m_schedule.randomStep(step));
+    const double passed = ringsPassed(step, out);
     out.ringStrength = rings.strength;
     out.ringRadius = rings.radius;
     out.ringWidening = rings.widening;
@@ -237,8 +232,8 @@ void SimulationModel::placeRings(std::int64_t step, StepConstants& out) const
     out.ringsLead = m_schedule.firstStep <= 0;
     out.ringFollowers = rings.followers;
     out.ringVariance = rings.variance;
-    out.ringKey = streamBits(m_effect->emitter.seed, kRings);
-    out.ringAxis = glm::normalize(m_effect->emitter.normal);
+    out.ringKey = streamBits(now.emitter.seed, kRings);
+    out.ringAxis = glm::normalize(now.emitter.normal);
     const PlaneBasis plane = planeBasis(out.ringAxis);
     out.ringSides = {-plane.along, -plane.across};
 }
@@ -256,14 +251,15 @@ void SimulationModel::setParent(std::shared_ptr<const SimulationModel> parent)
 
 StepConstants SimulationModel::constants(std::int64_t step, float share) const
 {
-    const Motion& motion = m_effect->motion;
-    const Turbulence& turbulence = m_turbulence;
+    std::optional<SampledEffect> room;
+    const Effect& now = effectAt(static_cast<double>(step), room);
+    const Motion& motion = now.motion;
     const float dt = m_schedule.dt * share;
     const float r = motion.randomness;
     const float tau = draggedTime(motion.drag, dt);
 
     StepConstants out;
-    out.key = stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
+    out.key = stepKey(now.emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
     out.dt = dt;
     out.step = static_cast<std::int32_t>(step);
     out.share = share;
@@ -277,51 +273,58 @@ StepConstants SimulationModel::constants(std::int64_t step, float share) const
     out.steadyShare = 1.0F - r;
     out.randomShare = r * drawScale() * 0x1p-31F;
     // of air: its share of a particle's own heat
-    out.buoyancy = (inAir() ? m_effect->air.buoyancy : motion.buoyancy) * tau;
+    out.buoyancy = (inAir() ? now.air.buoyancy : motion.buoyancy) * tau;
     out.cooling = motion.cooling;
     out.heatVariance = motion.heatVariance;
     out.pull = motion.pull * tau;
     setDrag(motion.drag, dt, tau, out);
-    out.pivot = m_effect->emitter.position;
+    out.pivot = now.emitter.position;
     if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
         out.rotation = rotationAt(step) * share;
         out.rotationSin = portableSin(out.rotation);
         out.rotationCos = portableCos(out.rotation);
     }
-    out.vortexStrength = m_effect->vortex.strength;
-    out.vortexRadius = m_effect->vortex.radius;
-    out.vortexWidening = m_effect->vortex.widening;
-    out.vortexAxis = m_effect->vortex.axis;
-    if (m_effect->rings.strength > 0.0F && !inAir()) {
-        placeRings(step, out); // air makes its own
+    out.vortexStrength = now.vortex.strength;
+    out.vortexRadius = now.vortex.radius;
+    out.vortexWidening = now.vortex.widening;
+    out.vortexAxis = now.vortex.axis;
+    if (now.rings.strength > 0.0F && !inAir()) {
+        placeRings(now, step, out); // air makes its own
     }
+    placeTurbulence(now, step, out);
+    out.plain = motion.buoyancy == 0.0F && motion.pull == 0.0F && motion.drag == 0.0F && motion.rotation == 0.0F
+        && motion.rotationJitter == 0.0F && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0
+        && !inAir();
+    if (inAir()) {
+        placeAir(now, out);
+    }
+    return out;
+}
+
+void SimulationModel::placeTurbulence(const Effect& now, std::int64_t step, StepConstants& out) const
+{
+    const Turbulence turbulence =
+        m_grid ? belowTheGrid(now.turbulence, m_grid->cell, now.turbulence.detail) : now.turbulence;
     out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;
     out.turbulenceFrequency = 1.0F / turbulence.scale;
     out.onset = turbulence.onset;
     out.growth = turbulence.growth;
     for (int octave = 0; octave < out.octaves; ++octave) {
-        out.octave[static_cast<std::size_t>(octave)] = octaveAt(step, octave);
+        out.octave[static_cast<std::size_t>(octave)] = octaveAt(turbulence, step, octave);
     }
-    out.plain = motion.buoyancy == 0.0F && motion.pull == 0.0F && motion.drag == 0.0F && motion.rotation == 0.0F
-        && motion.rotationJitter == 0.0F && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0
-        && !inAir();
-    if (inAir()) {
-        placeAir(out);
-    }
-    return out;
 }
 
-void SimulationModel::placeAir(StepConstants& out) const
+void SimulationModel::placeAir(const Effect& now, StepConstants& out) const
 {
-    const Air& air = m_effect->air;
+    const Air& air = now.air;
     const AirGrid& grid = *m_grid;
     constexpr float kShareOfBox = 0.25F;
     out.air.reach = kShareOfBox * grid.cell * static_cast<float>(std::max({grid.cells.x, grid.cells.y, grid.cells.z}));
-    out.air.detail = m_effect->turbulence.detail * kDetailPerShear;
-    out.air.sourceDepth = sourceDepth(m_effect->emitter, grid);
-    out.air.sourceSides = sourceSides(m_effect->emitter);
-    out.air.sourceVelocity = sourceVelocity(m_effect->emitter);
-    out.air.bornOnPicture = isOnPicture(m_effect->emitter);
+    out.air.detail = now.turbulence.detail * kDetailPerShear;
+    out.air.sourceDepth = sourceDepth(now.emitter, grid);
+    out.air.sourceSides = sourceSides(now.emitter);
+    out.air.sourceVelocity = sourceVelocity(now.emitter);
+    out.air.bornOnPicture = isOnPicture(now.emitter);
     out.air.hasGround = air.ground;
     out.air.groundHeight = air.groundHeight;
     out.air.obstacle = air.obstacle;
@@ -331,13 +334,13 @@ void SimulationModel::placeAir(StepConstants& out) const
         out.air.bornOnParent = true;
         out.air.sourceVelocity = glm::vec3(0.0F);
     }
-    out.air.coupling = m_effect->motion.coupling;
+    out.air.coupling = now.motion.coupling;
     if (out.air.coupling != Coupling::Carried) {
         out.buoyancy = 0.0F; // heat lifts smoke
-        out.air.restitution = m_effect->motion.restitution;
-        out.air.friction = m_effect->motion.friction;
+        out.air.restitution = now.motion.restitution;
+        out.air.friction = now.motion.friction;
     }
-    out.air.shapeLost = 1.0F - portableExp(-out.dt / m_effect->look.deformationTime);
+    out.air.shapeLost = 1.0F - portableExp(-out.dt / now.look.deformationTime);
 }
 
 } // namespace fumage

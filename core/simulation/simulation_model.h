@@ -3,6 +3,7 @@
 #include "core/effect/effect.h"
 #include "core/flow/air.h"
 #include "core/noise/curl_slices.h"
+#include "core/simulation/emitter.h"
 #include "core/simulation/schedule.h"
 
 #include <array>
@@ -126,6 +127,18 @@ public:
     SimulationModel(const SampledEffect& effect, const LayerClock& clock, const AirGrid& grid);
 
     [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
+    /// The effect as it is at a step: with what changes over time and is read at a step, at a birth, or as a rate.
+    /// @param room for it, where anything does; it has to outlive what is returned
+    /// @param step parts of steps too
+    [[nodiscard]] const SampledEffect& effectAt(double step, std::optional<SampledEffect>& room) const;
+    /// The effect with each number that changes over time at its greatest: what is as often as it is in the effect may
+    /// not be more often at one time than at another.
+    [[nodiscard]] const SampledEffect& strongest() const { return m_strongest ? *m_strongest : m_effect; }
+    /// What gives birth at a step: the emitter as it is then, and how it has come there.
+    [[nodiscard]] Spawner spawnerAt(std::int64_t step) const;
+    /// Where a step lies among the puffs of a source that surges.
+    [[nodiscard]] RowPosition surgeAt(double step) const;
+
     /// Puts the emitter elsewhere, and turns it. Where air is baked it is that of the place before: for models whose
     /// air is computed step by step, or none. Costs nothing: when particles are born and how noise moves does not
     /// depend on it.
@@ -169,9 +182,14 @@ private:
     /// What random numbers that are drawn anew every step are multiplied by. The source draws once a frame; the sum of
     /// n draws in a frame spreads as far as one of them times sqrt(n), and n steps of a frame are each n times shorter.
     [[nodiscard]] float drawScale() const;
-    [[nodiscard]] OctaveAtStep octaveAt(std::int64_t step, int octave) const;
-    void placeRings(std::int64_t step, StepConstants& out) const;
-    void placeAir(StepConstants& out) const;
+    [[nodiscard]] OctaveAtStep octaveAt(const Turbulence& turbulence, std::int64_t step, int octave) const;
+    void placeRings(const Effect& now, std::int64_t step, StepConstants& out) const;
+    void placeAir(const Effect& now, StepConstants& out) const;
+    void placeTurbulence(const Effect& now, std::int64_t step, StepConstants& out) const;
+    /// Rings that have passed since step 0.
+    [[nodiscard]] double ringsPassed(std::int64_t step, StepConstants& out) const;
+    /// The sums of all rates that change over time.
+    void sumRates();
 
     SampledEffect m_effect;
     LayerClock m_clock;
@@ -180,7 +198,11 @@ private:
     std::shared_ptr<const SimulationModel> m_parent;
     std::int64_t m_parentAhead = 0; ///< its step less that of the particles
     std::optional<AirGrid> m_grid; ///< of the air that carries the particles; none where none does
-    Turbulence m_turbulence; ///< the effect's, or in air the part of it that is below the grid
+    bool m_changes = false; ///< whether anything of a step does over time
+    std::optional<SampledEffect> m_strongest; ///< none: nothing changes over time
+    std::optional<RateSum> m_gusts; ///< of rates that change over time
+    std::optional<RateSum> m_surges;
+    std::optional<RateSum> m_rings;
 };
 
 } // namespace fumage

@@ -319,6 +319,18 @@
         <source>End s&amp;olo</source>
         <translation>Avsluta s&amp;olo</translation>
     </message>
+    <message>
+        <source>Previous &amp;key frame</source>
+        <translation>Föregående &amp;nyckelbildruta</translation>
+    </message>
+    <message>
+        <source>Next ke&amp;y frame</source>
+        <translation>Nästa n&amp;yckelbildruta</translation>
+    </message>
+    <message>
+        <source>&amp;Auto-key: each edit sets a key frame</source>
+        <translation>&amp;Autonyckel: varje ändring sätter en nyckelbildruta</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -469,6 +481,22 @@
         <source>by their number</source>
         <translation>efter antalet</translation>
     </message>
+    <message>
+        <source>Density</source>
+        <translation>Täthet</translation>
+    </message>
+    <message>
+        <source>One grid of all layers, or one of each, which add up to it</source>
+        <translation>Ett rutnät för alla lager, eller ett för varje, som tillsammans blir det</translation>
+    </message>
+    <message>
+        <source>Of all layers</source>
+        <translation>För alla lager</translation>
+    </message>
+    <message>
+        <source>A grid a layer</source>
+        <translation>Ett rutnät per lager</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::DirectionEditor</name>
@@ -525,6 +553,14 @@
     <message>
         <source>Reload</source>
         <translation>Läs in igen</translation>
+    </message>
+    <message>
+        <source>Move the camera</source>
+        <translation>Flytta kameran</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>Nyckla %1</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1451,102 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>KeyClipboard</name>
+    <message>
+        <source>Paste key frames</source>
+        <translation>Klistra in nyckelbildrutor</translation>
+    </message>
+</context>
+<context>
+    <name>KeyEdits</name>
+    <message>
+        <source>Key %1</source>
+        <translation>Nyckla %1</translation>
+    </message>
+    <message>
+        <source>%1 outside its key frames</source>
+        <translation>%1 utanför sina nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>Remove key frames</source>
+        <translation>Ta bort nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>Ease of key frames</source>
+        <translation>Nyckelbildrutors övergång</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyLanes</name>
+    <message>
+        <source>Key frames</source>
+        <translation>Nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>Drag key frames to other times; Alt stretches, Delete removes, a double-click adds one</source>
+        <translation>Dra nyckelbildrutor till andra tider; Alt sträcker ut, Delete tar bort, dubbelklick lägger till</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Mjuk</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linjär</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Håll</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Upprepa</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>Fram och tillbaka</translation>
+    </message>
+    <message>
+        <source>After the last key frame</source>
+        <translation>Efter den sista nyckelbildrutan</translation>
+    </message>
+    <message>
+        <source>Before the first key frame</source>
+        <translation>Före den första nyckelbildrutan</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiera</translation>
+    </message>
+    <message>
+        <source>Paste at the time that is shown</source>
+        <translation>Klistra in vid den visade tiden</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Move key frames</source>
+        <translation>Flytta nyckelbildrutor</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMark</name>
+    <message>
+        <source>Key frame of %1</source>
+        <translation>Nyckelbildruta för %1</translation>
+    </message>
+    <message>
+        <source>Key frame here; click to remove it</source>
+        <translation>Nyckelbildruta här; klicka för att ta bort den</translation>
+    </message>
+    <message>
+        <source>Click to set a key frame at the time that is shown</source>
+        <translation>Klicka för att sätta en nyckelbildruta vid den visade tiden</translation>
+    </message>
+</context>
+<context>
     <name>LayerClipboard</name>
     <message>
         <source>Paste %1 of “%2”</source>
@@ -1647,10 +1779,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Cannot add layers</source>
         <translation>Lager kan inte läggas till</translation>
-    </message>
-    <message>
-        <source>Add the layers of “%1”</source>
-        <translation>Lägg till lagren från ”%1”</translation>
     </message>
 </context>
 <context>
@@ -2596,10 +2724,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>det finns inget pass %1</translation>
     </message>
     <message>
-        <source>Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
-        <translation>Välj bland colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow och all</translation>
-    </message>
-    <message>
         <source>%1 exports are waiting already</source>
         <translation>%1 exporter väntar redan</translation>
     </message>
@@ -2951,6 +3075,234 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Let one layer of the ring be born on its emitter</source>
         <translation>Låt ett lager i ringen födas på sin utsändare</translation>
     </message>
+    <message>
+        <source>there is no layer number %1</source>
+        <translation>det finns inget lager nummer %1</translation>
+    </message>
+    <message>
+        <source>Give a number from 0 to %1</source>
+        <translation>Ange ett tal från 0 till %1</translation>
+    </message>
+    <message>
+        <source>this is not a PNG</source>
+        <translation>detta är ingen PNG</translation>
+    </message>
+    <message>
+        <source>a picture of %1 bytes</source>
+        <translation>en bild på %1 byte</translation>
+    </message>
+    <message>
+        <source>Choose a PNG of at most %1 pixels an edge and %2 bytes</source>
+        <translation>Välj en PNG med högst %1 bildpunkter per kant och %2 byte</translation>
+    </message>
+    <message>
+        <source>a PNG in base64</source>
+        <translation>en PNG i base64</translation>
+    </message>
+    <message>
+        <source>this parameter cannot change over time</source>
+        <translation>denna parameter kan inte ändras över tid</translation>
+    </message>
+    <message>
+        <source>Take its key frames out; parameters.md says which can</source>
+        <translation>Ta bort dess nyckelbildrutor; parameters.md säger vilka som kan</translation>
+    </message>
+    <message>
+        <source>%1 key frames, from 1 to %2 are possible</source>
+        <translation>%1 nyckelbildrutor, 1 till %2 är möjliga</translation>
+    </message>
+    <message>
+        <source>a key frame has a value of another kind</source>
+        <translation>en nyckelbildruta har ett värde av annat slag</translation>
+    </message>
+    <message>
+        <source>a key frame has a time, value or slope that is no number</source>
+        <translation>en nyckelbildruta har en tid, ett värde eller en lutning som inte är ett tal</translation>
+    </message>
+    <message>
+        <source>a key frame lies %1 s away</source>
+        <translation>en nyckelbildruta ligger %1 s bort</translation>
+    </message>
+    <message>
+        <source>Key frames lie at most %1 s away</source>
+        <translation>Nyckelbildrutor ligger högst %1 s bort</translation>
+    </message>
+    <message>
+        <source>the key frame at %1 s comes after one at %2 s</source>
+        <translation>nyckelbildrutan vid %1 s kommer efter en vid %2 s</translation>
+    </message>
+    <message>
+        <source>Key frames stand in the order of their times, no two at the same</source>
+        <translation>Nyckelbildrutor står i tidsordning, inga två vid samma tid</translation>
+    </message>
+    <message>
+        <source>a picture of %1 letters</source>
+        <translation>en bild på %1 tecken</translation>
+    </message>
+    <message>
+        <source>the box around the smoke of frame %1 has %2 voxels, too many for %3 layers</source>
+        <translation>lådan kring röken i bildruta %1 har %2 voxlar, för många för %3 lager</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or the density of all layers together</source>
+        <translation>Välj större voxlar, eller tätheten för alla lager tillsammans</translation>
+    </message>
+    <message>
+        <source>the masks of layers are channels of EXR</source>
+        <translation>lagrens masker är kanaler i EXR</translation>
+    </message>
+    <message>
+        <source>Choose EXR, or write alpha of layers as contribution</source>
+        <translation>Välj EXR, eller skriv lagrens alfa som bidrag</translation>
+    </message>
+    <message>
+        <source>masks of %1 layers for %2 pixels</source>
+        <translation>masker för %1 lager med %2 bildpunkter</translation>
+    </message>
+    <message>
+        <source>Choose a smaller picture, or mute layers</source>
+        <translation>Välj en mindre bild, eller dölj lager</translation>
+    </message>
+    <message>
+        <source>%1 does not end as it begins, so the loop jumps there</source>
+        <translation>%1 slutar inte som den börjar, så slingan hoppar där</translation>
+    </message>
+    <message>
+        <source>%1 has key frames after the end of the timeline</source>
+        <translation>%1 har nyckelbildrutor efter tidslinjens slut</translation>
+    </message>
+    <message>
+        <source>with its pictures the preset is longer than the %1 bytes that a file can carry: save it beside</source>
+        <translation>med sina bilder är förinställningen längre än de %1 byte som en fil kan bära: spara den bredvid</translation>
+    </message>
+    <message>
+        <source>layers that are written as %1 have no masks of layers</source>
+        <translation>lager som skrivs som %1 har inga lagermasker</translation>
+    </message>
+    <message>
+        <source>Write layers together, or the alpha of contributions</source>
+        <translation>Skriv lagren tillsammans, eller bidragens alfa</translation>
+    </message>
+    <message>
+        <source>the sheet of layer %1 is missing</source>
+        <translation>arket för lager %1 saknas</translation>
+    </message>
+    <message>
+        <source>Keep the sheets of all layers in one folder, or export them again</source>
+        <translation>Håll arken för alla lager i en mapp, eller exportera dem igen</translation>
+    </message>
+    <message>
+        <source>the sheet of layer %1 has %2 x %3 pixels, and not %4 x %5</source>
+        <translation>arket för lager %1 har %2 x %3 bildpunkter, och inte %4 x %5</translation>
+    </message>
+    <message>
+        <source>Export the sheets of all layers together</source>
+        <translation>Exportera arken för alla lager tillsammans</translation>
+    </message>
+    <message>
+        <source>this manifest is of no sheets of layers</source>
+        <translation>detta manifest gäller inga lagerark</translation>
+    </message>
+    <message>
+        <source>Name one that was written with --layers-as, or a preset</source>
+        <translation>Ange ett som skrevs med --layers-as, eller en förinställning</translation>
+    </message>
+    <message>
+        <source>the name of this sheet does not say which layer it is of</source>
+        <translation>arkets namn säger inte vilket lager det gäller</translation>
+    </message>
+    <message>
+        <source>Name it as it was exported, such as fire_flames.png, or its manifest</source>
+        <translation>Ange det som det exporterades, till exempel fire_flames.png, eller dess manifest</translation>
+    </message>
+    <message>
+        <source>these sheets have no colour to be put together</source>
+        <translation>dessa ark har ingen färg att sätta ihop</translation>
+    </message>
+    <message>
+        <source>Export them with colour among the passes</source>
+        <translation>Exportera dem med färg bland passen</translation>
+    </message>
+    <message>
+        <source>layers, their names, what is muted and what is born on what are fixed while the simulation runs</source>
+        <translation>lager, deras namn, vad som är dolt och vad som föds på vad är fast medan simuleringen går</translation>
+    </message>
+    <message>
+        <source>Keep them, or start a new simulation; a layer whose share is 0 goes out</source>
+        <translation>Behåll dem, eller starta en ny simulering; ett lager vars andel är 0 slocknar</translation>
+    </message>
+    <message>
+        <source>%1 particles are too few for %2 layers</source>
+        <translation>%1 partiklar är för få för %2 lager</translation>
+    </message>
+    <message>
+        <source>Ask for %1 or more</source>
+        <translation>Begär %1 eller fler</translation>
+    </message>
+    <message>
+        <source>layer %1: %2</source>
+        <translation>lager %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: expected one of %2</source>
+        <translation>%1: väntade ett av %2</translation>
+    </message>
+    <message>
+        <source>a track has %1, %2, %3 and %4, and no %5</source>
+        <translation>ett spår har %1, %2, %3 och %4, och inget %5</translation>
+    </message>
+    <message>
+        <source>a key frame is a list of its seconds, its value and its ease</source>
+        <translation>en nyckelbildruta är en lista av sekunder, värde och övergång</translation>
+    </message>
+    <message>
+        <source>expected one of %1</source>
+        <translation>väntade ett av %1</translation>
+    </message>
+    <message>
+        <source>a free key frame has two slopes, and no other has any</source>
+        <translation>en fri nyckelbildruta har två lutningar, och ingen annan har någon</translation>
+    </message>
+    <message>
+        <source>a slope is a number, or a list of three</source>
+        <translation>en lutning är ett tal, eller en lista av tre</translation>
+    </message>
+    <message>
+        <source>a track is an object with the %1 of its parameter</source>
+        <translation>ett spår är ett objekt med sin parameters %1</translation>
+    </message>
+    <message>
+        <source>the track of %1 is kept but has no effect</source>
+        <translation>spåret för %1 behålls men har ingen verkan</translation>
+    </message>
+    <message>
+        <source>a second track of %1</source>
+        <translation>ett andra spår för %1</translation>
+    </message>
+    <message>
+        <source>key frames of %1 were out of range</source>
+        <translation>nyckelbildrutor för %1 låg utanför området</translation>
+    </message>
+    <message>
+        <source>Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow, layer-masks and all</source>
+        <translation>Välj bland colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow, layer-masks och all</translation>
+    </message>
+    <message>
+        <source>invalid key frame %1</source>
+        <translation>ogiltig nyckelbildruta %1</translation>
+    </message>
+    <message>
+        <source>Write SECONDS:VALUE or SECONDS:VALUE:EASE, with %1 as ease</source>
+        <translation>Skriv SEKUNDER:VÄRDE eller SEKUNDER:VÄRDE:ÖVERGÅNG, med %1 som övergång</translation>
+    </message>
+    <message>
+        <source>%1: no %2</source>
+        <translation>%1: inget %2</translation>
+    </message>
+    <message>
+        <source>Use one of %1</source>
+        <translation>Använd ett av %1</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>
@@ -3164,6 +3516,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Locked against randomising; press to unlock</source>
         <translation>Låst mot slumpning; tryck för att låsa upp</translation>
     </message>
+    <message>
+        <source>Set a key frame here</source>
+        <translation>Sätt en nyckelbildruta här</translation>
+    </message>
+    <message>
+        <source>Remove the key frame here</source>
+        <translation>Ta bort nyckelbildrutan här</translation>
+    </message>
+    <message>
+        <source>Remove all key frames</source>
+        <translation>Ta bort alla nyckelbildrutor</translation>
+    </message>
 </context>
 <context>
     <name>Parameters</name>
@@ -3204,20 +3568,12 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Bredd</translation>
     </message>
     <message>
-        <source>Width of the rectangle, across its normal.</source>
-        <translation>Rektangelns bredd, tvärs mot dess normal.</translation>
-    </message>
-    <message>
         <source>2012 model, eq. I</source>
         <translation>2012 års modell, ekv. I</translation>
     </message>
     <message>
         <source>Depth</source>
         <translation>Djup</translation>
-    </message>
-    <message>
-        <source>Depth of the rectangle, across its normal and its width.</source>
-        <translation>Rektangelns djup, tvärs mot dess normal och dess bredd.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -3726,10 +4082,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Particle shape</source>
         <translation>Mask</translation>
-    </message>
-    <message>
-        <source>A soft round puff, or the bare square of the 2012 model.</source>
-        <translation>En mjuk rund puff, eller 2012 års modells bara kvadrat.</translation>
     </message>
     <message>
         <source>Layers of noise that are summed, each finer and weaker than the one before.</source>
@@ -4771,6 +5123,58 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Of a layer whose particles are born on those of another: the share of their velocity that they take along. 0: a trail that stays where it was left. 1: what goes on with them.</source>
         <translation>För ett lager vars partiklar föds på ett annats: hur stor del av deras hastighet de tar med sig. 0: ett spår som blir kvar där det lämnades. 1: det som följer med dem.</translation>
     </message>
+    <message>
+        <source>Key frames: as they are at each frame</source>
+        <translation>Nyckelbildrutor: som de är vid varje bildruta</translation>
+    </message>
+    <message>
+        <source>Key frames: as they are at each step</source>
+        <translation>Nyckelbildrutor: som de är vid varje steg</translation>
+    </message>
+    <message>
+        <source>Key frames: as they are at a particle&apos;s birth</source>
+        <translation>Nyckelbildrutor: som de är när en partikel föds</translation>
+    </message>
+    <message>
+        <source>Key frames: summed up over time</source>
+        <translation>Nyckelbildrutor: summerade över tid</translation>
+    </message>
+    <message>
+        <source>Emission rate</source>
+        <translation>Utsläppstakt</translation>
+    </message>
+    <message>
+        <source>The share of the particles that are born: 1 all, 0 none. The source heats the air, and blows it up, as much less. With key frames it lets a fire be lit and go out.</source>
+        <translation>Andelen av partiklarna som föds: 1 alla, 0 inga. Källan värmer luften, och blåser upp den, lika mycket mindre. Med nyckelbildrutor tänds och slocknar en eld.</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle or the picture, across its normal.</source>
+        <translation>Rektangelns eller bildens bredd, tvärs sin normal.</translation>
+    </message>
+    <message>
+        <source>Depth of the rectangle or the picture, across its normal and its width.</source>
+        <translation>Rektangelns eller bildens djup, tvärs sin normal och sin bredd.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>A PNG whose bright pixels give birth to particles, each as often as it is bright and opaque: a logo that burns. It lies on width and depth of the emitter, upright on a wall that faces +Z. Without one all of the rectangle does.</source>
+        <translation>En PNG vars ljusa bildpunkter föder partiklar, var och en så ofta som den är ljus och täckande: en logotyp som brinner. Den ligger på emitterns bredd och djup, upprätt på en vägg som vetter mot +Z. Utan bild gör hela rektangeln det.</translation>
+    </message>
+    <message>
+        <source>A soft round puff, the bare square of the 2012 model, or a picture.</source>
+        <translation>En mjuk rund puff, den nakna kvadraten i 2012 års modell, eller en bild.</translation>
+    </message>
+    <message>
+        <source>A PNG that particles look like, as leaves or debris: its alpha is their shape, its colours are multiplied with that of the smoke. It turns and stretches with them, its longer edge as wide as they are; noise, erosion, relief, roundness and detail do not show in it. Without one they are squares.</source>
+        <translation>En PNG som partiklarna ser ut som, till exempel löv eller skräp: dess alfa är deras form, dess färger multipliceras med rökens. Den vrids och sträcks med dem, dess längre kant lika bred som de; brus, erosion, relief, rundhet och detalj syns inte i den. Utan bild är de kvadrater.</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>bild</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>
@@ -4820,6 +5224,41 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Write a manifest of checksums</source>
         <translation>Skriv ett manifest med kontrollsummor</translation>
+    </message>
+    <message>
+        <source>Write a mask of each layer</source>
+        <translation>Skriv en mask för varje lager</translation>
+    </message>
+    <message>
+        <source>Channels of an EXR that say how much of each layer is seen: together they are its alpha</source>
+        <translation>Kanaler i en EXR som säger hur mycket av varje lager som syns: tillsammans är de dess alfa</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PictureEditor</name>
+    <message>
+        <source>Remove the picture</source>
+        <translation>Ta bort bilden</translation>
+    </message>
+    <message>
+        <source>remove</source>
+        <translation>ta bort</translation>
+    </message>
+    <message>
+        <source>Press to choose a PNG, or drop one here</source>
+        <translation>Tryck för att välja en PNG, eller släpp en här</translation>
+    </message>
+    <message>
+        <source>Choose a picture</source>
+        <translation>Välj en bild</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Välj…</translation>
     </message>
 </context>
 <context>
@@ -5183,6 +5622,46 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>What strikes sand: a crown of clods that trail it, grains that fall back, and the dust that stays.</source>
         <translation>Det som slår ner i sand: en krona av klumpar som drar sand efter sig, korn som faller tillbaka, och dammet som blir kvar.</translation>
+    </message>
+    <message>
+        <source>Breath</source>
+        <translation>Andedräkt</translation>
+    </message>
+    <message>
+        <source>Breath in the cold, once in three seconds: rate and speed of the emission have key frames that repeat.</source>
+        <translation>Andedräkt i kylan, en gång på tre sekunder: utsläppets takt och fart har nyckelbildrutor som upprepas.</translation>
+    </message>
+    <message>
+        <source>Burning logo</source>
+        <translation>Brinnande logotyp</translation>
+    </message>
+    <message>
+        <source>Letters that burn: births are spread over the bright pixels of a picture that the preset holds.</source>
+        <translation>Bokstäver som brinner: födslarna sprids över de ljusa bildpunkterna i en bild som förinställningen bär med sig.</translation>
+    </message>
+    <message>
+        <source>Lit fire</source>
+        <translation>Tänd eld</translation>
+    </message>
+    <message>
+        <source>A fire that catches, burns, dies down and goes out: the share of the particles that are born, and the radius of the flames, have key frames.</source>
+        <translation>En eld som tar sig, brinner, falnar och slocknar: andelen partiklar som föds, och lågornas radie, har nyckelbildrutor.</translation>
+    </message>
+    <message>
+        <source>Missile</source>
+        <translation>Missil</translation>
+    </message>
+    <message>
+        <source>A missile and its trail: both emitters are carried along one way, and turn with it.</source>
+        <translation>En missil och dess spår: båda emittrarna förs längs en väg, och vrids med den.</translation>
+    </message>
+    <message>
+        <source>Torch</source>
+        <translation>Fackla</translation>
+    </message>
+    <message>
+        <source>A torch that is swung, seamless: both layers follow the same key frames of the position.</source>
+        <translation>En fackla som svingas, utan skarv: båda lagren följer samma nyckelbildrutor för läget.</translation>
     </message>
 </context>
 <context>
@@ -5770,6 +6249,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Smoke</source>
         <translation>Rök</translation>
+    </message>
+    <message>
+        <source>Auto-key</source>
+        <translation>Autonyckel</translation>
     </message>
 </context>
 <context>

@@ -319,6 +319,18 @@
         <source>End s&amp;olo</source>
         <translation>结束独显(&amp;O)</translation>
     </message>
+    <message>
+        <source>Previous &amp;key frame</source>
+        <translation>上一个关键帧(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Next ke&amp;y frame</source>
+        <translation>下一个关键帧(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Auto-key: each edit sets a key frame</source>
+        <translation>自动关键帧：每次编辑都设置关键帧(&amp;A)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -469,6 +481,22 @@
         <source>by their number</source>
         <translation>按体素数</translation>
     </message>
+    <message>
+        <source>Density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>One grid of all layers, or one of each, which add up to it</source>
+        <translation>所有图层一个网格，或每层一个，合计相同</translation>
+    </message>
+    <message>
+        <source>Of all layers</source>
+        <translation>所有图层</translation>
+    </message>
+    <message>
+        <source>A grid a layer</source>
+        <translation>每层一个网格</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::DirectionEditor</name>
@@ -525,6 +553,14 @@
     <message>
         <source>Reload</source>
         <translation>重新加载</translation>
+    </message>
+    <message>
+        <source>Move the camera</source>
+        <translation>移动摄像机</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>为%1设置关键帧</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1451,102 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>KeyClipboard</name>
+    <message>
+        <source>Paste key frames</source>
+        <translation>粘贴关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>KeyEdits</name>
+    <message>
+        <source>Key %1</source>
+        <translation>为%1设置关键帧</translation>
+    </message>
+    <message>
+        <source>%1 outside its key frames</source>
+        <translation>%1在关键帧之外</translation>
+    </message>
+    <message>
+        <source>Remove key frames</source>
+        <translation>移除关键帧</translation>
+    </message>
+    <message>
+        <source>Ease of key frames</source>
+        <translation>关键帧的缓动</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyLanes</name>
+    <message>
+        <source>Key frames</source>
+        <translation>关键帧</translation>
+    </message>
+    <message>
+        <source>Drag key frames to other times; Alt stretches, Delete removes, a double-click adds one</source>
+        <translation>拖动关键帧到其他时间；Alt 拉伸，Delete 移除，双击添加</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>重复</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>往返</translation>
+    </message>
+    <message>
+        <source>After the last key frame</source>
+        <translation>最后一个关键帧之后</translation>
+    </message>
+    <message>
+        <source>Before the first key frame</source>
+        <translation>第一个关键帧之前</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Paste at the time that is shown</source>
+        <translation>粘贴到当前时间</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Move key frames</source>
+        <translation>移动关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMark</name>
+    <message>
+        <source>Key frame of %1</source>
+        <translation>%1的关键帧</translation>
+    </message>
+    <message>
+        <source>Key frame here; click to remove it</source>
+        <translation>此处有关键帧；单击移除</translation>
+    </message>
+    <message>
+        <source>Click to set a key frame at the time that is shown</source>
+        <translation>单击在当前时间设置关键帧</translation>
+    </message>
+</context>
+<context>
     <name>LayerClipboard</name>
     <message>
         <source>Paste %1 of “%2”</source>
@@ -1647,10 +1779,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Cannot add layers</source>
         <translation>无法添加图层</translation>
-    </message>
-    <message>
-        <source>Add the layers of “%1”</source>
-        <translation>添加“%1”的图层</translation>
     </message>
 </context>
 <context>
@@ -2596,10 +2724,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>没有通道图 %1</translation>
     </message>
     <message>
-        <source>Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
-        <translation>请从 colour、alpha、density、six-way、motion、normal、depth、emission、albedo、temperature、shadow 和 all 中选择</translation>
-    </message>
-    <message>
         <source>%1 exports are waiting already</source>
         <translation>已有 %1 个导出在等待</translation>
     </message>
@@ -2951,6 +3075,234 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Let one layer of the ring be born on its emitter</source>
         <translation>请让环中的一个图层诞生于其发射器</translation>
     </message>
+    <message>
+        <source>there is no layer number %1</source>
+        <translation>没有编号为 %1 的图层</translation>
+    </message>
+    <message>
+        <source>Give a number from 0 to %1</source>
+        <translation>请给出 0 到 %1 的编号</translation>
+    </message>
+    <message>
+        <source>this is not a PNG</source>
+        <translation>这不是 PNG</translation>
+    </message>
+    <message>
+        <source>a picture of %1 bytes</source>
+        <translation>%1 字节的图片</translation>
+    </message>
+    <message>
+        <source>Choose a PNG of at most %1 pixels an edge and %2 bytes</source>
+        <translation>请选择边长不超过 %1 像素、不超过 %2 字节的 PNG</translation>
+    </message>
+    <message>
+        <source>a PNG in base64</source>
+        <translation>base64 编码的 PNG</translation>
+    </message>
+    <message>
+        <source>this parameter cannot change over time</source>
+        <translation>此参数不能随时间变化</translation>
+    </message>
+    <message>
+        <source>Take its key frames out; parameters.md says which can</source>
+        <translation>请去掉它的关键帧；parameters.md 说明哪些参数可以</translation>
+    </message>
+    <message>
+        <source>%1 key frames, from 1 to %2 are possible</source>
+        <translation>%1 个关键帧，可以有 1 到 %2 个</translation>
+    </message>
+    <message>
+        <source>a key frame has a value of another kind</source>
+        <translation>某个关键帧的值类型不符</translation>
+    </message>
+    <message>
+        <source>a key frame has a time, value or slope that is no number</source>
+        <translation>某个关键帧的时间、值或斜率不是数字</translation>
+    </message>
+    <message>
+        <source>a key frame lies %1 s away</source>
+        <translation>某个关键帧在 %1 秒处</translation>
+    </message>
+    <message>
+        <source>Key frames lie at most %1 s away</source>
+        <translation>关键帧最远在 %1 秒处</translation>
+    </message>
+    <message>
+        <source>the key frame at %1 s comes after one at %2 s</source>
+        <translation>%1 秒处的关键帧排在 %2 秒处的之后</translation>
+    </message>
+    <message>
+        <source>Key frames stand in the order of their times, no two at the same</source>
+        <translation>关键帧按时间排列，不能有两个在同一时间</translation>
+    </message>
+    <message>
+        <source>a picture of %1 letters</source>
+        <translation>%1 个字符的图片</translation>
+    </message>
+    <message>
+        <source>the box around the smoke of frame %1 has %2 voxels, too many for %3 layers</source>
+        <translation>第 %1 帧烟雾的包围盒有 %2 个体素，对 %3 个图层来说太多</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or the density of all layers together</source>
+        <translation>请选择更大的体素，或所有图层合计的密度</translation>
+    </message>
+    <message>
+        <source>the masks of layers are channels of EXR</source>
+        <translation>图层遮罩是 EXR 的通道</translation>
+    </message>
+    <message>
+        <source>Choose EXR, or write alpha of layers as contribution</source>
+        <translation>请选择 EXR，或将图层的 alpha 写为贡献</translation>
+    </message>
+    <message>
+        <source>masks of %1 layers for %2 pixels</source>
+        <translation>%1 个图层、%2 像素的遮罩</translation>
+    </message>
+    <message>
+        <source>Choose a smaller picture, or mute layers</source>
+        <translation>请选择更小的图片，或静音图层</translation>
+    </message>
+    <message>
+        <source>%1 does not end as it begins, so the loop jumps there</source>
+        <translation>%1 的结尾与开头不同，循环在那里会跳变</translation>
+    </message>
+    <message>
+        <source>%1 has key frames after the end of the timeline</source>
+        <translation>%1 在时间轴结束之后还有关键帧</translation>
+    </message>
+    <message>
+        <source>with its pictures the preset is longer than the %1 bytes that a file can carry: save it beside</source>
+        <translation>连同图片，预设超过文件可携带的 %1 字节：请另行保存</translation>
+    </message>
+    <message>
+        <source>layers that are written as %1 have no masks of layers</source>
+        <translation>以 %1 写出的图层没有图层遮罩</translation>
+    </message>
+    <message>
+        <source>Write layers together, or the alpha of contributions</source>
+        <translation>请将图层一起写出，或写出贡献的 alpha</translation>
+    </message>
+    <message>
+        <source>the sheet of layer %1 is missing</source>
+        <translation>缺少图层 %1 的图集</translation>
+    </message>
+    <message>
+        <source>Keep the sheets of all layers in one folder, or export them again</source>
+        <translation>请把所有图层的图集放在同一文件夹，或重新导出</translation>
+    </message>
+    <message>
+        <source>the sheet of layer %1 has %2 x %3 pixels, and not %4 x %5</source>
+        <translation>图层 %1 的图集为 %2 x %3 像素，而不是 %4 x %5</translation>
+    </message>
+    <message>
+        <source>Export the sheets of all layers together</source>
+        <translation>请一起导出所有图层的图集</translation>
+    </message>
+    <message>
+        <source>this manifest is of no sheets of layers</source>
+        <translation>此清单不是图层图集的</translation>
+    </message>
+    <message>
+        <source>Name one that was written with --layers-as, or a preset</source>
+        <translation>请指定用 --layers-as 写出的清单，或一个预设</translation>
+    </message>
+    <message>
+        <source>the name of this sheet does not say which layer it is of</source>
+        <translation>此图集的名称没有说明属于哪个图层</translation>
+    </message>
+    <message>
+        <source>Name it as it was exported, such as fire_flames.png, or its manifest</source>
+        <translation>请用导出时的名称，如 fire_flames.png，或其清单</translation>
+    </message>
+    <message>
+        <source>these sheets have no colour to be put together</source>
+        <translation>这些图集没有可合成的颜色</translation>
+    </message>
+    <message>
+        <source>Export them with colour among the passes</source>
+        <translation>导出时请包含颜色通道</translation>
+    </message>
+    <message>
+        <source>layers, their names, what is muted and what is born on what are fixed while the simulation runs</source>
+        <translation>模拟运行时，图层、名称、静音以及谁生于谁是固定的</translation>
+    </message>
+    <message>
+        <source>Keep them, or start a new simulation; a layer whose share is 0 goes out</source>
+        <translation>请保持不变，或重新开始模拟；份额为 0 的图层会熄灭</translation>
+    </message>
+    <message>
+        <source>%1 particles are too few for %2 layers</source>
+        <translation>%1 个粒子对 %2 个图层来说太少</translation>
+    </message>
+    <message>
+        <source>Ask for %1 or more</source>
+        <translation>请要求 %1 个或更多</translation>
+    </message>
+    <message>
+        <source>layer %1: %2</source>
+        <translation>图层 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1: expected one of %2</source>
+        <translation>%1：应为 %2 之一</translation>
+    </message>
+    <message>
+        <source>a track has %1, %2, %3 and %4, and no %5</source>
+        <translation>轨道有 %1、%2、%3 和 %4，没有 %5</translation>
+    </message>
+    <message>
+        <source>a key frame is a list of its seconds, its value and its ease</source>
+        <translation>关键帧是由秒数、值和缓动组成的列表</translation>
+    </message>
+    <message>
+        <source>expected one of %1</source>
+        <translation>应为 %1 之一</translation>
+    </message>
+    <message>
+        <source>a free key frame has two slopes, and no other has any</source>
+        <translation>自由关键帧有两个斜率，其他关键帧没有</translation>
+    </message>
+    <message>
+        <source>a slope is a number, or a list of three</source>
+        <translation>斜率是一个数字，或三个数字的列表</translation>
+    </message>
+    <message>
+        <source>a track is an object with the %1 of its parameter</source>
+        <translation>轨道是带有参数 %1 的对象</translation>
+    </message>
+    <message>
+        <source>the track of %1 is kept but has no effect</source>
+        <translation>%1 的轨道被保留但不起作用</translation>
+    </message>
+    <message>
+        <source>a second track of %1</source>
+        <translation>%1 的第二条轨道</translation>
+    </message>
+    <message>
+        <source>key frames of %1 were out of range</source>
+        <translation>%1 的关键帧超出范围</translation>
+    </message>
+    <message>
+        <source>Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow, layer-masks and all</source>
+        <translation>请从 colour、alpha、density、six-way、motion、normal、depth、emission、albedo、temperature、shadow、layer-masks 和 all 中选择</translation>
+    </message>
+    <message>
+        <source>invalid key frame %1</source>
+        <translation>无效的关键帧 %1</translation>
+    </message>
+    <message>
+        <source>Write SECONDS:VALUE or SECONDS:VALUE:EASE, with %1 as ease</source>
+        <translation>请写成 秒:值 或 秒:值:缓动，缓动可为 %1</translation>
+    </message>
+    <message>
+        <source>%1: no %2</source>
+        <translation>%1：没有 %2</translation>
+    </message>
+    <message>
+        <source>Use one of %1</source>
+        <translation>请使用 %1 之一</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>
@@ -3164,6 +3516,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Locked against randomising; press to unlock</source>
         <translation>已锁定，不会随机改变；按下解锁</translation>
     </message>
+    <message>
+        <source>Set a key frame here</source>
+        <translation>在此设置关键帧</translation>
+    </message>
+    <message>
+        <source>Remove the key frame here</source>
+        <translation>移除此处的关键帧</translation>
+    </message>
+    <message>
+        <source>Remove all key frames</source>
+        <translation>移除所有关键帧</translation>
+    </message>
 </context>
 <context>
     <name>Parameters</name>
@@ -3204,20 +3568,12 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>宽度</translation>
     </message>
     <message>
-        <source>Width of the rectangle, across its normal.</source>
-        <translation>矩形的宽度，垂直于其法线。</translation>
-    </message>
-    <message>
         <source>2012 model, eq. I</source>
         <translation>2012 年模型, 式 I</translation>
     </message>
     <message>
         <source>Depth</source>
         <translation>深度</translation>
-    </message>
-    <message>
-        <source>Depth of the rectangle, across its normal and its width.</source>
-        <translation>矩形的深度，垂直于其法线和宽度。</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -3726,10 +4082,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Particle shape</source>
         <translation>遮罩</translation>
-    </message>
-    <message>
-        <source>A soft round puff, or the bare square of the 2012 model.</source>
-        <translation>柔和的圆形烟团，或 2012 年模型的方块。</translation>
     </message>
     <message>
         <source>Layers of noise that are summed, each finer and weaker than the one before.</source>
@@ -4771,6 +5123,58 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Of a layer whose particles are born on those of another: the share of their velocity that they take along. 0: a trail that stays where it was left. 1: what goes on with them.</source>
         <translation>用于粒子诞生于另一图层粒子上的图层：带走其速度的比例。0：留在原处的拖尾。1：随之前进。</translation>
     </message>
+    <message>
+        <source>Key frames: as they are at each frame</source>
+        <translation>关键帧：按每一帧的值</translation>
+    </message>
+    <message>
+        <source>Key frames: as they are at each step</source>
+        <translation>关键帧：按每一步的值</translation>
+    </message>
+    <message>
+        <source>Key frames: as they are at a particle&apos;s birth</source>
+        <translation>关键帧：按粒子诞生时的值</translation>
+    </message>
+    <message>
+        <source>Key frames: summed up over time</source>
+        <translation>关键帧：随时间累计</translation>
+    </message>
+    <message>
+        <source>Emission rate</source>
+        <translation>发射率</translation>
+    </message>
+    <message>
+        <source>The share of the particles that are born: 1 all, 0 none. The source heats the air, and blows it up, as much less. With key frames it lets a fire be lit and go out.</source>
+        <translation>诞生的粒子所占份额：1 为全部，0 为没有。源对空气的加热和膨胀也相应减少。配合关键帧可让火点燃和熄灭。</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle or the picture, across its normal.</source>
+        <translation>矩形或图片的宽度，垂直于其法线。</translation>
+    </message>
+    <message>
+        <source>Depth of the rectangle or the picture, across its normal and its width.</source>
+        <translation>矩形或图片的深度，垂直于其法线和宽度。</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>A PNG whose bright pixels give birth to particles, each as often as it is bright and opaque: a logo that burns. It lies on width and depth of the emitter, upright on a wall that faces +Z. Without one all of the rectangle does.</source>
+        <translation>一张 PNG，其明亮像素诞生粒子，越亮越不透明就越频繁：燃烧的徽标。它铺在发射器的宽度和深度上，在朝向 +Z 的墙上为正立。没有图片时由整个矩形诞生。</translation>
+    </message>
+    <message>
+        <source>A soft round puff, the bare square of the 2012 model, or a picture.</source>
+        <translation>柔和的圆形烟团、2012 模型的纯方形，或图片。</translation>
+    </message>
+    <message>
+        <source>A PNG that particles look like, as leaves or debris: its alpha is their shape, its colours are multiplied with that of the smoke. It turns and stretches with them, its longer edge as wide as they are; noise, erosion, relief, roundness and detail do not show in it. Without one they are squares.</source>
+        <translation>粒子呈现为的 PNG，如树叶或碎片：其 alpha 是形状，其颜色与烟雾颜色相乘。它随粒子旋转和拉伸，长边与粒子同宽；噪声、侵蚀、浮雕、圆度和细节不在其中显示。没有图片时为方形。</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>图片</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>
@@ -4820,6 +5224,41 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Write a manifest of checksums</source>
         <translation>写出含校验和的清单</translation>
+    </message>
+    <message>
+        <source>Write a mask of each layer</source>
+        <translation>写出每个图层的遮罩</translation>
+    </message>
+    <message>
+        <source>Channels of an EXR that say how much of each layer is seen: together they are its alpha</source>
+        <translation>EXR 的通道，说明每个图层可见多少：合计即为其 alpha</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PictureEditor</name>
+    <message>
+        <source>Remove the picture</source>
+        <translation>移除图片</translation>
+    </message>
+    <message>
+        <source>remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Press to choose a PNG, or drop one here</source>
+        <translation>按此选择 PNG，或拖放到这里</translation>
+    </message>
+    <message>
+        <source>Choose a picture</source>
+        <translation>选择图片</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
     </message>
 </context>
 <context>
@@ -5183,6 +5622,46 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>What strikes sand: a crown of clods that trail it, grains that fall back, and the dust that stays.</source>
         <translation>撞击沙地：拖着沙尾的土块形成冠状，沙粒落回，尘土留下。</translation>
+    </message>
+    <message>
+        <source>Breath</source>
+        <translation>呼气</translation>
+    </message>
+    <message>
+        <source>Breath in the cold, once in three seconds: rate and speed of the emission have key frames that repeat.</source>
+        <translation>寒冷中的呼气，三秒一次：发射率和速度有重复的关键帧。</translation>
+    </message>
+    <message>
+        <source>Burning logo</source>
+        <translation>燃烧的徽标</translation>
+    </message>
+    <message>
+        <source>Letters that burn: births are spread over the bright pixels of a picture that the preset holds.</source>
+        <translation>燃烧的文字：粒子诞生于预设所含图片的明亮像素上。</translation>
+    </message>
+    <message>
+        <source>Lit fire</source>
+        <translation>点燃的火</translation>
+    </message>
+    <message>
+        <source>A fire that catches, burns, dies down and goes out: the share of the particles that are born, and the radius of the flames, have key frames.</source>
+        <translation>火被点燃、燃烧、减弱并熄灭：诞生粒子的份额和火焰半径有关键帧。</translation>
+    </message>
+    <message>
+        <source>Missile</source>
+        <translation>导弹</translation>
+    </message>
+    <message>
+        <source>A missile and its trail: both emitters are carried along one way, and turn with it.</source>
+        <translation>导弹及其尾迹：两个发射器沿同一路径移动并随之转向。</translation>
+    </message>
+    <message>
+        <source>Torch</source>
+        <translation>火炬</translation>
+    </message>
+    <message>
+        <source>A torch that is swung, seamless: both layers follow the same key frames of the position.</source>
+        <translation>挥舞的火炬，无缝循环：两个图层跟随相同的位置关键帧。</translation>
     </message>
 </context>
 <context>
@@ -5770,6 +6249,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Smoke</source>
         <translation>烟</translation>
+    </message>
+    <message>
+        <source>Auto-key</source>
+        <translation>自动关键帧</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Contexts that are names of their own and not of classes.
-PLAIN_CONTEXTS = ["Actions", "Exports", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "GradientPresets", "Readout", "LayerEdits", "LayerClipboard", "QCommandLineParser", "main"]
+PLAIN_CONTEXTS = ["Actions", "Exports", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "GradientPresets", "Readout", "LayerEdits", "LayerClipboard", "KeyEdits", "KeyClipboard", "QCommandLineParser", "main"]
 TABLE = ROOT / "core/effect/parameters"
 
 

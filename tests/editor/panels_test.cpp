@@ -1,6 +1,7 @@
 #include "panel_fixture.h"
 
 #include "tests/parameter_rows.h"
+#include "tests/pictures.h"
 
 #include "ui/document/layer_edits.h"
 #include "ui/document/number_text.h"
@@ -97,7 +98,7 @@ private slots:
             const Preset preset = loadPreset(entry).value().preset;
             m_document->load(preset, {});
             QCoreApplication::processEvents();
-            QVERIFY2(m_document->effect() == preset.scene.effect(), entry.id.c_str());
+            QVERIFY2(m_document->scene() == preset.scene, entry.id.c_str());
             QCOMPARE(m_document->undoStack()->count(), 0);
         }
     }
@@ -389,6 +390,8 @@ private:
             QTest::mouseClick(area, Qt::LeftButton, {}, area->toScreen({0.55F, 0.3F}).toPoint());
         } else if (auto* bar = editor.findChild<GradientBar*>()) {
             QTest::mouseClick(bar, Qt::LeftButton, {}, QPoint(bar->width() / 3, 8));
+        } else if (editor.parameter().kind == Kind::Picture) {
+            emit editor.edited(ramp(8, 8), true);
         } else {
             auto* field = editor.findChildren<NumberField*>().first();
             const double low = editor.parameter().hard.low;

@@ -149,7 +149,7 @@ Volume layeredVolume(const Scene& scene, int frame, float voxel, LayerDensities 
         greys.push_back(greysShown(layer).value());
     }
     const SceneFrame made = SceneSimulator(layers).frame(frame).value();
-    return volumeOf(layerFrames(made, layers), voxel, greys, densities).value();
+    return volumeOf(LayersAtFrame(made, layers), voxel, greys, densities).value();
 }
 
 } // namespace

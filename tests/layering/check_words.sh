@@ -17,8 +17,6 @@ complain 'names that the field has other words for' \
     "$(grep -rnwE "($gone)" core ui app tests "${sources[@]}" || true)"
 complain 'messages are made by makeMessage() and translated by translated()' \
     "$(grep -rnE '\b(said|told)\(' core ui app "${sources[@]}" || true)"
-complain 'tracks are those of key frames: the ways of particles are trails' \
-    "$(grep -rnE '\b(Track|tracks|findTracks)\b' core ui app "${sources[@]}" || true)"
 complain 'layers are those of a scene, of which these rooms know nothing: rows of noise lie in planes' \
     "$(grep -rnE '\w*(Layer|layer)s?\b' core/base core/system core/image_io core/noise core/flow "${sources[@]}" || true)"
 complain 'texts that artists know otherwise' "$(grep -rnE "\"(Start warm|Moving air|Raggedness|Uneven heat|Mouse habits\

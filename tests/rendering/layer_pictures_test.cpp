@@ -61,7 +61,7 @@ public:
         const Output& output = scene.output;
         const View view = makeView(scene.camera, secondsOf(scene.timeline, 8), output.width * output.supersample,
             output.height * output.supersample);
-        if (!m_renderer.prepare(layerFrames(m_frame, m_layers), view)) {
+        if (!m_renderer.prepare(LayersAtFrame(m_frame, m_layers), view)) {
             qFatal("not prepared");
         }
     }

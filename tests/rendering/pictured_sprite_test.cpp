@@ -273,7 +273,7 @@ private slots:
         const SceneFrame frame = simulation.frame(9).value();
         Renderer renderer;
         Image whole;
-        QVERIFY(renderer.render(layerFrames(frame, simulation.layers()), 96, 80, whole).ok());
+        QVERIFY(renderer.render(LayersAtFrame(frame, simulation.layers()), 96, 80, whole).ok());
         std::vector<float> sum(whole.pixels.size(), 0.0F);
         LayerPictures pictures;
         QVERIFY(pictures

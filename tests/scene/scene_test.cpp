@@ -280,7 +280,7 @@ private slots:
         const SceneFrame frame = frameOf(scene);
         Renderer renderer;
         Image image;
-        QVERIFY(renderer.render(layerFrames(frame, layers), 64, 64, image));
+        QVERIFY(renderer.render(LayersAtFrame(frame, layers), 64, 64, image));
         QCOMPARE(renderer.detail(0)->phases, renderer.detail(1)->phases);
         QVERIFY(renderer.detail(0)->phases != renderer.detail(2)->phases);
         QVERIFY(shadowsAlike(*renderer.detail(0), *renderer.detail(1)));
@@ -301,7 +301,7 @@ private slots:
         scene.layers[0].look.detailLife *= 4.0F;
         changed[0] = sampled(scene.effect(0));
         const std::array<AdvectedPhase, 2>* before = renderer.detail(1)->phases;
-        QVERIFY(renderer.render(layerFrames(frame, changed), 64, 64, image));
+        QVERIFY(renderer.render(LayersAtFrame(frame, changed), 64, 64, image));
         QCOMPARE(renderer.detail(1)->phases, before);
         QVERIFY(renderer.detail(0)->phases != before);
     }

@@ -40,6 +40,23 @@ Camera clamped(const Camera& camera)
     return effect.camera;
 }
 
+/// The first stage that a change of key frames makes stale.
+DirtyStage staleBetween(const Tracks& before, const Tracks& after)
+{
+    DirtyStage stale = DirtyStage::Shade;
+    const auto look = [&](const Tracks& tracks, const Tracks& others) {
+        for (const Track& track : tracks.all()) {
+            const Track* other = others.find(*track.parameter);
+            if (other == nullptr || *other != track) {
+                stale = std::max(stale, track.parameter->dirties);
+            }
+        }
+    };
+    look(before, after);
+    look(after, before);
+    return stale;
+}
+
 /// The first stage of the work that has to be done again where one scene takes another's place.
 DirtyStage staleBetween(const Scene& before, const Scene& after)
 {
@@ -53,8 +70,25 @@ DirtyStage staleBetween(const Scene& before, const Scene& after)
         for (const Parameter* parameter : differences(before.effect(was[i]), after.effect(is[i]))) {
             stale = std::max(stale, parameter->dirties);
         }
+        stale = std::max(stale, staleBetween(before.allTracks(was[i]), after.allTracks(is[i])));
     }
     return stale;
+}
+
+/// Whether a parameter of a group changes over time.
+bool hasKeys(const Tracks& tracks, std::string_view group)
+{
+    return std::any_of(tracks.all().begin(), tracks.all().end(),
+        [&](const Track& track) { return track.parameter->group() == group; });
+}
+
+/// Adds the parameters of a layer that change over time: of any the value at the time that is shown may be another.
+void addKeyed(const Scene& scene, std::size_t layer, std::vector<const Parameter*>& changed)
+{
+    const Tracks tracks = layer < scene.layers.size() ? scene.allTracks(layer) : scene.tracks;
+    for (const Track& track : tracks.all()) {
+        changed.push_back(track.parameter);
+    }
 }
 
 /// Whether lists of the layers of both look alike.
@@ -121,7 +155,11 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
     if (!refused.empty()) {
         emit effectChanged({std::move(refused), DirtyStage::Shade, false}); // editors show again what is there
     }
-    if (!changes.empty()) {
+    const bool isKeyed = std::any_of(changes.begin(), changes.end(),
+        [this](const EditCommand::Change& change) { return getsKey(*change.parameter); });
+    if (isKeyed) {
+        editKeys(changes, text, gesture);
+    } else if (!changes.empty()) {
         m_undo.push(new EditCommand(*this, std::move(changes), text, gesture));
     }
 }
@@ -151,16 +189,18 @@ void Document::selectLayers(const LayerSelection& selection)
     }
 }
 
-void Document::reset(const Parameter& parameter)
-{
-    const Parameter& stored = storedParameter(parameter);
-    edit({{&stored, stored.get(m_reference)}}, tr("Reset %1").arg(fullLabelOf(parameter)));
-}
-
 void Document::moveCamera(const Camera& camera, Gesture gesture)
 {
     const Camera moved = clamped(camera);
-    if (!(moved == effect().camera)) {
+    if (hasKeys(scene().tracks, "camera")) {
+        std::vector<Assignment> assignments;
+        Effect there = effect();
+        there.camera = moved;
+        for (const Parameter* parameter : differences(effect(), there)) {
+            assignments.push_back({parameter, parameter->get(there)});
+        }
+        edit(assignments, tr("Move the camera"), gesture);
+    } else if (!(moved == effect().camera)) {
         m_views.move(effect().camera, moved, gesture.id);
         setCamera(moved);
     }
@@ -195,7 +235,7 @@ void Document::load(const Preset& preset, const QString& path, bool modified, co
     m_undo.clear();
     m_preset = preset;
     m_selection = {};
-    m_effect = preset.scene.effect();
+    m_effect = preset.scene.effectAt(0, m_seconds);
     m_path = path;
     m_read = read ? *read : path.isEmpty() ? FileMark() : markOfFile(path);
     m_views.reset(preset.scene.camera);
@@ -281,7 +321,7 @@ Status Document::save(const QString& path)
 void Document::rebase()
 {
     m_referenceScene = m_preset.scene;
-    m_reference = m_referenceScene.effect(layer() < m_referenceScene.layers.size() ? layer() : 0);
+    m_reference = referenceNow(layer());
     emit titleChanged();
 }
 
@@ -293,10 +333,12 @@ void Document::write(const Scene& scene, const LayerSelection& selection, std::v
     const bool isSameSelection = selection == m_selection;
     const std::size_t active = selection.active();
     const bool isSameLayer = active == layer();
+    addKeyed(m_preset.scene, layer(), changed);
+    addKeyed(scene, active, changed);
     m_preset.scene = scene;
     m_selection = selection;
-    m_effect = scene.effect(active);
-    m_reference = m_referenceScene.effect(active < m_referenceScene.layers.size() ? active : 0);
+    m_effect = scene.effectAt(active, m_seconds);
+    m_reference = referenceNow(active);
     if (!isSameScene || !isSameLayer) {
         emit effectChanged({std::move(changed), stale, !isSameScene});
     }

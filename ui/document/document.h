@@ -47,8 +47,19 @@ public:
     /// @param first what it shows before it loads anything
     explicit Document(const Preset& first = {}, QObject* parent = nullptr);
 
-    /// The layer that is edited, in its surroundings.
+    /// The layer that is edited, in its surroundings, as it is at the time that is shown: with the values that
+    /// parameters with key frames have then.
     [[nodiscard]] const Effect& effect() const { return m_effect; }
+    /// The time that is shown, s: where edits put key frames.
+    [[nodiscard]] double seconds() const { return m_seconds; }
+    /// Shows another time. That is no undo step, and nothing of the scene.
+    void setSeconds(double seconds);
+    /// Whether each edit of a parameter that can change over time puts a key frame, also where it has none yet.
+    [[nodiscard]] bool autoKey() const { return m_autoKey; }
+    void setAutoKey(bool on);
+    /// The key frames of a parameter of the layer that is edited, or of what all layers share; null: it does not change
+    /// over time.
+    [[nodiscard]] const Track* track(const Parameter& parameter) const;
     [[nodiscard]] const Scene& scene() const override { return m_preset.scene; }
     /// The number of the layer that is edited.
     [[nodiscard]] std::size_t layer() const { return m_selection.active(); }
@@ -73,7 +84,8 @@ public:
 
     [[nodiscard]] Gesture beginGesture();
 
-    /// Clamps, compares and pushes one undo step; nothing happens where the value stays what it is.
+    /// Clamps, compares and pushes one undo step; nothing happens where the value stays what it is. A parameter that
+    /// has key frames gets one at the time that is shown.
     void edit(const Parameter& parameter, const Value& value, Gesture gesture = {});
     /// Several parameters in one step.
     /// @param text of the undo step; empty: the parameters' names and their new values
@@ -82,6 +94,7 @@ public:
     /// Other layers, or others in another order.
     /// @param selection that is chosen afterwards, all below their number
     void replaceScene(const Scene& scene, const LayerSelection& selection, const QString& text, Gesture gesture = {});
+    /// Back to what was loaded or last saved, key frames too.
     void reset(const Parameter& parameter);
 
     /// Looks from somewhere else. That is a change, and no undo step: undoing a colour must not throw the camera away.
@@ -127,6 +140,7 @@ signals:
     void loaded();
     /// Name, file or modified state.
     void titleChanged();
+    void autoKeyChanged(bool on);
     /// There is another view before or after this one.
     void viewsChanged();
 
@@ -134,6 +148,12 @@ private:
     void write(const Scene& scene, const LayerSelection& selection, std::vector<const Parameter*> changed) override;
     void rebase();
     void setCamera(const Camera& camera);
+    /// The layer of the reference at the time that is shown.
+    [[nodiscard]] Effect referenceNow(std::size_t layer) const;
+    /// Whether an edit of a parameter puts a key frame.
+    [[nodiscard]] bool getsKey(const Parameter& parameter) const;
+    /// Several parameters in one step, of which some have key frames.
+    void editKeys(const std::vector<EditCommand::Change>& changes, const QString& text, Gesture gesture);
 
     Preset m_preset;
     LayerSelection m_selection;
@@ -141,6 +161,8 @@ private:
     Scene m_referenceScene;
     Effect m_reference; ///< that layer of it
     QString m_path;
+    double m_seconds = 0.0;
+    bool m_autoKey = false;
     QUndoStack m_undo;
     Views m_views;
     quint64 m_gestures = 0;

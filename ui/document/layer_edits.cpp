@@ -214,15 +214,8 @@ void renameLayer(Document& document, std::size_t layer, const QString& name)
 
 bool canBeParent(const Scene& scene, const LayerPlaces& layers, std::size_t parent)
 {
-    // Those that it is born on, in turn, are none of them, nor is it.
-    std::optional<std::size_t> next = parent;
-    for (std::size_t steps = 0; next && steps <= scene.layers.size(); ++steps) {
-        if (std::binary_search(layers.begin(), layers.end(), *next)) {
-            return false;
-        }
-        next = parentOf(scene, *next);
-    }
-    return true;
+    return std::none_of(
+        layers.begin(), layers.end(), [&](std::size_t layer) { return isBornOn(scene, parent, layer); });
 }
 
 void setLayersParent(Document& document, const LayerPlaces& layers, std::optional<std::size_t> parent)

@@ -135,6 +135,24 @@ SearchTexts searchTextsOf(const Parameter& parameter)
         both(translated(parameter.tip), parameter.tip) + QLatin1Char(' ') + toQString(parameter.key)};
 }
 
+namespace {
+
+/// When a parameter with key frames has its value.
+QString readingOf(Animates animates)
+{
+    switch (animates) {
+    case Animates::Never: return {};
+    case Animates::Frame: return QCoreApplication::translate("Parameters", "Key frames: as they are at each frame");
+    case Animates::Step: return QCoreApplication::translate("Parameters", "Key frames: as they are at each step");
+    case Animates::Birth:
+        return QCoreApplication::translate("Parameters", "Key frames: as they are at a particle's birth");
+    case Animates::Rate: return QCoreApplication::translate("Parameters", "Key frames: summed up over time");
+    }
+    return {};
+}
+
+} // namespace
+
 QString toolTipOf(const Parameter& parameter)
 {
     QString text = QStringLiteral("<p><b>%1</b><br>%2</p>")
@@ -146,6 +164,9 @@ QString toolTipOf(const Parameter& parameter)
     if (!parameter.source.empty()) {
         facts +=
             QCoreApplication::translate("Parameters", "Source: %1").arg(translated(parameter.source).toHtmlEscaped());
+    }
+    if (const QString read = readingOf(parameter.animates); !read.isEmpty()) {
+        facts += read;
     }
     facts += QStringLiteral("<code>%1</code>").arg(toQString(parameter.key).toHtmlEscaped());
     return text + QStringLiteral("<p>%1</p>").arg(facts.join(QStringLiteral("<br>")));

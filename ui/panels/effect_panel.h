@@ -40,7 +40,7 @@ public:
     /// Those that are open as long as nobody says otherwise.
     [[nodiscard]] static QStringList usualGroups();
 
-    QSize sizeHint() const override { return {372, 700}; }
+    QSize sizeHint() const override { return {392, 700}; }
 
 private:
     void sync();

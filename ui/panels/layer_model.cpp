@@ -29,7 +29,7 @@ std::size_t layerOf(const QModelIndex& index)
 /// How many there are once the quality is worked in.
 QString particlesText(const Scene& scene, std::size_t layer)
 {
-    return QLocale().toString(sampled(scene.effect(layer))->emitter.count);
+    return QLocale().toString(sampledLayer(scene, layer)->emitter.count);
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "ui/panels/editor_factory.h"
+#include "ui/panels/key_mark.h"
 #include "ui/panels/parameter_row.h"
 
 #include "ui/document/parameter_text.h"
@@ -47,11 +48,25 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     auto* layout = new QBoxLayout(isTall(parameter) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);
     layout->setContentsMargins(0, 1, 0, 1);
     layout->setSpacing(4);
-    if (!isTall(parameter)) {
-        m_label->setFixedWidth(kLabelWidth);
+    if (canAnimate(parameter)) {
+        m_key = new KeyMark(parameter, document, this);
     }
-    layout->addWidget(m_label);
-    layout->addWidget(m_editor, 1);
+    if (isTall(parameter)) {
+        auto* heading = new QHBoxLayout;
+        heading->addWidget(m_label, 1);
+        if (m_key != nullptr) {
+            heading->addWidget(m_key);
+        }
+        layout->addLayout(heading);
+        layout->addWidget(m_editor, 1);
+    } else {
+        m_label->setFixedWidth(kLabelWidth);
+        layout->addWidget(m_label);
+        layout->addWidget(m_editor, 1);
+        if (m_key != nullptr) {
+            layout->addWidget(m_key);
+        }
+    }
     connect(m_editor, &ParameterEditor::edited, this, &ParameterRow::edit);
     connect(&m_locks, &Locks::changed, this, &ParameterRow::showState);
 }
@@ -94,6 +109,9 @@ void ParameterRow::sync()
         m_shown = value;
         m_hasShown = true;
         m_editor->setValue(value);
+    }
+    if (m_key != nullptr) {
+        m_key->sync();
     }
     showState();
 }
@@ -179,6 +197,19 @@ void ParameterRow::paste()
     }
 }
 
+void ParameterRow::addKeyActions(QMenu& menu)
+{
+    const KeyState state = keyState(m_document, stored());
+    const bool isFree = canEditKeys(m_document, stored());
+    menu.addAction(tr("Set a key frame here"), this, [this] { addKey(m_document, stored()); })
+        ->setEnabled(isFree && state != KeyState::Here);
+    menu.addAction(tr("Remove the key frame here"), this, [this] { removeKey(m_document, stored()); })
+        ->setEnabled(isFree && state == KeyState::Here);
+    menu.addAction(tr("Remove all key frames"), this, [this] { removeAllKeys(m_document, stored()); })
+        ->setEnabled(isFree && state != KeyState::None);
+    menu.addSeparator();
+}
+
 void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
 {
     QMenu menu(this);
@@ -188,6 +219,9 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
     reset->setEnabled(!(m_shown == parameter().get(m_document.reference())));
     menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(stored(), stored().get(Effect())); });
     menu.addSeparator();
+    if (m_key != nullptr) {
+        addKeyActions(menu);
+    }
     menu.addAction(tr("Copy"), this, [this] { copy(false); });
     menu.addAction(tr("Paste"), this, &ParameterRow::paste)
         ->setEnabled(!QApplication::clipboard()->text().trimmed().isEmpty());

@@ -8,9 +8,12 @@
 
 #include <QLabel>
 
+class QMenu;
 class QToolButton;
 
 namespace fumage::ui {
+
+class KeyMark;
 
 /// One parameter in a panel: its label, a mark where it differs from the preset, and its editor, bound to the document.
 class ParameterRow : public QWidget {
@@ -53,6 +56,7 @@ private:
     void showLock(bool locked);
     void copy(bool asAssignment) const;
     void paste();
+    void addKeyActions(QMenu& menu);
 
     Document& m_document;
     Locks& m_locks;
@@ -60,6 +64,7 @@ private:
     QLabel* m_label;
     QToolButton* m_lock = nullptr; ///< the mark of a lock, inside the label; null until there was one
     ParameterEditor* m_editor;
+    KeyMark* m_key = nullptr; ///< null: the parameter cannot change over time
     Gesture m_gesture; ///< of the edits since the last finished one
     Value m_before; ///< the gesture
     bool m_isTakenBack = false; ///< the gesture ends where it began

@@ -15,7 +15,7 @@ PicturePlan::PicturePlan(const Scene& scene, const std::vector<std::size_t>& sol
     }
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         if (!scene.layers[i].visible) {
-            muted.push_back(sampled(scene.effect(i)));
+            muted.push_back(sampledLayer(scene, i));
         }
     }
 }

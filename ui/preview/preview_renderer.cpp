@@ -278,19 +278,19 @@ Status PreviewRenderer::prepare(
     const auto scaled = [&](int edge) { return std::max(1, static_cast<int>(std::lround(edge * plan.scale))); };
     const View view = windowView(*request.scene, request.frame, scaled(request.width), scaled(request.height));
     m_renderer.setPhaseMix(plan.phaseMix);
-    const std::vector<LayerFrame> all = layerFrames(frame, plan.layers);
+    const LayersAtFrame all(frame, plan.layers);
     const std::vector<std::size_t> visible = request.scene->visibleLayers();
     std::vector<LayerFrame> drawn;
     m_drawn.clear();
     for (const std::size_t layer : plan.drawn) {
-        drawn.push_back(all[layer]);
+        drawn.push_back(all.frames()[layer]);
         if (layer < visible.size()) {
             m_drawn.push_back(visible[layer]);
         }
     }
     if (drawn.empty()) {
-        const SampledEffect nothing = transparent(plan.layers.front());
-        const LayerFrame layer{all.front().frame, &nothing};
+        const SampledEffect nothing = transparent(all.surroundings());
+        const LayerFrame layer{all.frames().front().frame, &nothing};
         return m_renderer.prepare({&layer, 1}, view, stop);
     }
     return m_renderer.prepare(drawn, view, stop);
@@ -307,8 +307,8 @@ bool PreviewRenderer::paint(
         noteTrouble(status.error());
         return false;
     }
-    encodeOver(
-        m_image, plan.layers.front()->output, backingOf(request.backdrop, plan.layers.front()->output), m_encoded);
+    const Output output = plan.layers.front().atFrame(request.frame)->output;
+    encodeOver(m_image, output, backingOf(request.backdrop, output), m_encoded);
     picture.image = toScreen(m_encoded);
     return true;
 }
@@ -373,7 +373,7 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
 
     picture->picked = layerSeenAt(request.pick, m_renderer, m_drawn);
     addOverlays(request, plan, *picture, stop);
-    picture->output = plan.layers.front()->output;
+    picture->output = plan.layers.front().atFrame(request.frame)->output;
     picture->backdrop = request.backdrop;
     picture->revision = request.revision;
     picture->frame = request.frame;

@@ -75,6 +75,7 @@ MainWindow::MainWindow(AppServices& services)
     buildMenus();
     connectFileActions();
     connectPlayActions(m_actions, m_player);
+    connectKeyActions(m_actions, m_player, m_document);
     connectWindowActions();
     connectViews();
     connectPresets();

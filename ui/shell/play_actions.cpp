@@ -1,9 +1,12 @@
 #include "ui/shell/play_actions.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/shell/action_table.h"
 #include "ui/timeline/player.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace fumage::ui {
 
@@ -19,6 +22,27 @@ void connectPlayActions(const ActionSet& actions, Player& player)
     actions.on(
         "play.out", &player, [&player] { player.setRange(std::min(player.frame(), player.first()), player.frame()); });
     actions.on("play.wholeRange", &player, [&player] { player.setRange(0, player.length() - 1); });
+}
+
+void connectKeyActions(const ActionSet& actions, Player& player, Document& document)
+{
+    const auto go = [&player, &document](bool forward) {
+        const double rate = document.scene().timeline.frameRate;
+        std::optional<int> next;
+        for (const double seconds : keyTimes(document)) {
+            const int frame = static_cast<int>(std::lround(seconds * rate));
+            if (forward ? frame > player.frame() && !next : frame < player.frame()) {
+                next = frame;
+            }
+        }
+        if (next) {
+            player.pause();
+            player.setFrame(*next);
+        }
+    };
+    actions.on("play.nextKey", &player, [go] { go(true); });
+    actions.on("play.previousKey", &player, [go] { go(false); });
+    QObject::connect(&actions.get("play.autoKey"), &QAction::toggled, &document, &Document::setAutoKey);
 }
 
 } // namespace fumage::ui

@@ -3,9 +3,13 @@
 namespace fumage::ui {
 
 class ActionSet;
+class Document;
 class Player;
 
 /// Puts the actions that play, step and set the range in charge of a player.
 void connectPlayActions(const ActionSet& actions, Player& player);
+
+/// The same for those that go from key frame to key frame, and set them.
+void connectKeyActions(const ActionSet& actions, Player& player, Document& document);
 
 } // namespace fumage::ui

@@ -22,6 +22,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -42,6 +43,8 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     , m_player(player)
     , m_controls(new QHBoxLayout)
     , m_ruler(new TimelineRuler(player, this))
+    , m_lanes(new KeyLanes(document, player, *m_ruler, this))
+    , m_lanesView(new QScrollArea(this))
     , m_frame(new WholeBox(this))
     , m_time(new QLabel(this))
 {
@@ -58,9 +61,31 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     layout->setSpacing(4);
     layout->addLayout(m_controls);
     layout->addWidget(m_ruler);
+    addLanes(*layout);
     connectPlayer();
     connect(&document, &Document::effectChanged, this, &TimelineBar::followDocument);
     followDocument();
+}
+
+void TimelineBar::addLanes(QVBoxLayout& layout)
+{
+    m_lanesView->setObjectName(QStringLiteral("keyLanesView"));
+    m_lanesView->setFrameShape(QFrame::NoFrame);
+    m_lanesView->setWidget(m_lanes);
+    m_lanesView->setWidgetResizable(true);
+    m_lanesView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    layout.addWidget(m_lanesView);
+    connect(m_lanes, &KeyLanes::heightChanged, this, &TimelineBar::showLanes);
+    showLanes();
+}
+
+void TimelineBar::showLanes()
+{
+    constexpr int kShown = 6;
+    const int height = m_lanes->sizeHint().height();
+    m_lanesView->setFixedHeight(std::min(height, kShown * KeyLanes::kLaneHeight));
+    m_lanesView->setVisible(height > 0);
+    updateGeometry();
 }
 
 void TimelineBar::addButtons(QHBoxLayout& controls)
@@ -72,8 +97,7 @@ void TimelineBar::addButtons(QHBoxLayout& controls)
     m_play = makeIconButton(this, QStringLiteral("playButton"), QStringLiteral("play"), tr("Play or pause (Space)"));
     QToolButton* forward =
         makeIconButton(this, QStringLiteral("stepForward"), QStringLiteral("step-forward"), tr("Next frame (Right)"));
-    QToolButton* end =
-        makeIconButton(this, QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("Go to end (End)"));
+    QToolButton* end = makeIconButton(this, QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("Go to end (End)"));
     m_repeat = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"),
         tr("Repeat playback: start again after the last frame, whether it fits the first or not"));
     m_repeat->setCheckable(true);
@@ -187,6 +211,7 @@ void TimelineBar::connectPlayer()
     connect(m_frame, &QSpinBox::valueChanged, &m_player, &Player::setFrame);
     connect(m_rate, &QSpinBox::valueChanged, this, [this](int value) { m_document.edit(kFrameRate, value); });
     connect(&m_player, &Player::frameChanged, this, &TimelineBar::showTime);
+    connect(&m_player, &Player::frameChanged, this, &TimelineBar::tellTime);
     connect(&m_player, &Player::settingsChanged, this, &TimelineBar::sync);
     connect(&m_player, &Player::playingChanged, this, &TimelineBar::sync);
 }
@@ -198,7 +223,13 @@ void TimelineBar::followDocument()
     m_rate->setValue(timeline.frameRate);
     m_loop->setChecked(timeline.loop);
     m_player.setTimeline(timeline.length, timeline.frameRate);
+    tellTime();
     sync();
+}
+
+void TimelineBar::tellTime()
+{
+    m_document.setSeconds(static_cast<double>(m_player.frame()) / m_document.scene().timeline.frameRate);
 }
 
 std::array<QWidget*, 5> TimelineBar::dispensable() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/timeline/key_lanes.h"
 #include "ui/timeline/player.h"
 #include "ui/timeline/timeline_ruler.h"
 
@@ -13,8 +14,10 @@ class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QMenu;
+class QScrollArea;
 class QSpinBox;
 class QToolButton;
+class QVBoxLayout;
 
 namespace fumage::ui {
 
@@ -26,6 +29,7 @@ public:
     TimelineBar(Document& document, Player& player, QWidget* parent = nullptr);
 
     [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
+    [[nodiscard]] KeyLanes& lanes() const { return *m_lanes; }
 
     QSize minimumSizeHint() const override;
 
@@ -36,6 +40,8 @@ private:
     void hideOverflow();
     /// What goes on a narrow screen, the first of them first.
     [[nodiscard]] std::array<QWidget*, 5> dispensable() const;
+    void addLanes(QVBoxLayout& layout);
+    void showLanes();
     void addButtons(QHBoxLayout& controls);
     void addFrameAndTime(QHBoxLayout& controls);
     void addLoop(QHBoxLayout& controls);
@@ -47,11 +53,15 @@ private:
     void followDocument();
     void sync();
     void showTime();
+    /// Edits put key frames at the frame that is shown.
+    void tellTime();
 
     Document& m_document;
     Player& m_player;
     QHBoxLayout* m_controls;
     TimelineRuler* m_ruler;
+    KeyLanes* m_lanes;
+    QScrollArea* m_lanesView; ///< shows a few of them, and scrolls
     QToolButton* m_play;
     QToolButton* m_repeat;
     QToolButton* m_more; ///< there while something is hidden

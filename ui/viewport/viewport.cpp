@@ -2,8 +2,10 @@
 
 #include "ui/document/text.h"
 #include "ui/preview/trails.h"
+#include "ui/viewport/animation_overlay.h"
 #include "ui/viewport/gizmo_painter.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/simulation/air_plan.h"
 
 #include <QPainter>
@@ -53,6 +55,7 @@ Viewport::Viewport(Document& document, Solo& solo, Player& player, GlSupport sup
     connect(&m_feed, &PreviewScheduler::failed, this, [this](const Error& why) { emit failed(translated(why)); });
     connect(&m_feed, &PreviewScheduler::waitingChanged, &m_player, &Player::setHeld);
     connect(&m_document, &Document::effectChanged, this, &Viewport::followDocument);
+    connect(&m_document, &Document::autoKeyChanged, surface, qOverload<>(&QWidget::update));
     connect(&solo, &Solo::changed, this, [this] { m_feed.setSolo(m_solo.layers()); });
     connect(&m_document, &Document::loaded, this, &Viewport::startAnew);
     connect(&m_player, &Player::frameChanged, &m_feed, &PreviewScheduler::setFrame);
@@ -239,6 +242,15 @@ std::vector<std::size_t> Viewport::otherLayers() const
     return others;
 }
 
+Scene Viewport::sceneNow() const
+{
+    Scene now = m_document.scene();
+    for (const std::size_t layer : otherLayers()) {
+        now.layers[layer].emitter = now.effectAt(layer, m_document.seconds()).emitter;
+    }
+    return now;
+}
+
 void Viewport::choose(std::size_t layer)
 {
     if (layer < m_document.scene().layers.size()) {
@@ -255,7 +267,7 @@ void Viewport::click(QPointF at, Qt::KeyboardModifiers modifiers)
     }
     m_picksMore = modifiers.testFlag(Qt::ControlModifier);
     const bool hasOutlines = !m_isBare && m_overlays.testFlag(Overlay::Emitter);
-    if (const auto layer = hasOutlines ? emitterAt(m_document.scene(), otherLayers(), view(), at) : std::nullopt) {
+    if (const auto layer = hasOutlines ? emitterAt(sceneNow(), otherLayers(), view(), at) : std::nullopt) {
         choose(*layer);
         return;
     }
@@ -292,8 +304,16 @@ void Viewport::paintOverlays(QPainter& painter)
         paintTrails(painter, picture()->trails, seen);
     }
     if (m_overlays.testFlag(Overlay::Emitter)) {
-        paintOtherEmitters(painter, m_document.scene(), otherLayers(), seen);
+        paintOtherEmitters(painter, sceneNow(), otherLayers(), seen);
         paintEmitter(painter, effect.emitter, seen);
+    }
+    if (const Track* way = hasGizmos || m_overlays.testFlag(Overlay::Emitter)
+            ? m_document.track(knownParameter("emitter.position"))
+            : nullptr) {
+        paintEmitterWay(painter, *way, effect.timeline, seen);
+    }
+    if (m_document.autoKey()) {
+        paintAutoKey(painter, rect(), tr("Auto-key"));
     }
     if (hasGizmos) {
         paintGizmos(painter, effect, seen, m_hand.gizmo());

@@ -94,6 +94,8 @@ private:
     void choose(std::size_t layer);
     /// The layers whose emitters are outlined without being edited.
     [[nodiscard]] std::vector<std::size_t> otherLayers() const;
+    /// The scene with the emitters of those where they are at the time that is shown.
+    [[nodiscard]] Scene sceneNow() const;
 
     Document& m_document;
     const Solo& m_solo;

@@ -214,7 +214,6 @@ inline constexpr std::array kRows<Air>{
         .tip = "Centre of the obstacle.",
         .visible = when("air.enabled", true),
         .dirties = DirtyStage::Air,
-        .animates = Animates::Step,
         .live = Live::Fixed,
     }),
     row<&Air::obstacleSize>({
@@ -229,7 +228,6 @@ inline constexpr std::array kRows<Air>{
         .tip = "Edges of the box; of a sphere the first number is the diameter.",
         .visible = when("air.enabled", true),
         .dirties = DirtyStage::Air,
-        .animates = Animates::Step,
         .live = Live::Fixed,
     }),
 };

@@ -23,6 +23,18 @@ inline constexpr std::array kRows<Emitter>{
         .tip = "How many particles are alive once the smoke is warm. Many small ones read as smoke, few large ones "
                "as sprites.",
         .source = "2012 model, table of results",
+        .varies = false,
+    }),
+    row<&Emitter::rate>({
+        .key = "emitter.rate",
+        .since = 2,
+        .label = "Emission rate",
+        .synonyms = "birth spawn amount share on off fire lit goes out swell",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "The share of the particles that are born: 1 all, 0 none. The source heats the air, and blows it up, as "
+               "much less. With key frames it lets a fire be lit and go out.",
+        .dirties = DirtyStage::Air,
         .animates = Animates::Rate,
         .varies = false,
     }),

@@ -31,7 +31,6 @@ inline constexpr std::array kRows<Turbulence>{
         .unit = Unit::Metres,
         .scale = Scale::Log,
         .tip = "Size of the largest swirls at the height of the emitter.",
-        .animates = Animates::Step,
     }),
     row<&Turbulence::octaves>({
         .key = "turbulence.octaves",
@@ -60,7 +59,6 @@ inline constexpr std::array kRows<Turbulence>{
         .step = 0.02,
         .unit = Unit::Hertz,
         .tip = "How often the largest swirls become others; smaller ones change faster.",
-        .animates = Animates::Rate,
     }),
     row<&Turbulence::onset>({
         .key = "turbulence.onset",
@@ -93,7 +91,6 @@ inline constexpr std::array kRows<Turbulence>{
         .step = 0.02,
         .unit = Unit::MetresPerSecond,
         .tip = "Speed at which the swirls rise along with the smoke, instead of standing still while it passes.",
-        .animates = Animates::Rate,
     }),
     row<&Turbulence::lacunarity>({
         .key = "turbulence.lacunarity",
@@ -103,7 +100,6 @@ inline constexpr std::array kRows<Turbulence>{
         .soft = {1.5, 3},
         .step = 0.05,
         .tip = "How many times smaller each layer of swirls is than the one before.",
-        .animates = Animates::Step,
     }),
     row<&Turbulence::detail>({
         .key = "turbulence.detail",

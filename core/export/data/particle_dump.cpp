@@ -179,7 +179,7 @@ Result<std::string> dumpFrame(SceneRenderer& smoke, int frame, ParticleFormat fo
     if (!simulated) {
         return simulated.error();
     }
-    const std::vector<LayerFrame> layers = layerFrames(simulated.value(), smoke.layers());
+    const LayersAtFrame layers(simulated.value(), smoke.layers());
     switch (format) {
     case ParticleFormat::Csv: return dumpCsv(layers, up);
     case ParticleFormat::Ply: return dumpPly(layers, up);

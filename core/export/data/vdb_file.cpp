@@ -307,7 +307,7 @@ Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& opti
         if (!frame) {
             return frame.error();
         }
-        const Result<Volume> volume = volumeOf(layerFrames(frame.value(), layers), voxel.value(), greys,
+        const Result<Volume> volume = volumeOf(LayersAtFrame(frame.value(), layers), voxel.value(), greys,
             hasLayers ? LayerDensities::Yes : LayerDensities::No);
         return volume ? Result<std::string>(encodeVdb(volume.value(), options.up, names)) : volume.error();
     };

@@ -1,5 +1,7 @@
 #include "core/export/sheets/sheet.h"
 
+#include "core/rendering/view_transform.h"
+
 namespace fumage {
 
 void makeRoom(const SheetGrid& grid, Image& sheet)
@@ -14,6 +16,27 @@ void makeRoom(const SheetGrid& grid, Image& sheet)
         }
     }
 }
+
+namespace {
+
+/// Makes the light of a cell as many stops brighter.
+void expose(PassImages& cell, float stops)
+{
+    if (stops == 0.0F) {
+        return;
+    }
+    const float gain = exposureGain(stops);
+    for (const PassTarget target : {PassTarget::Colour, PassTarget::Emission}) {
+        auto& pixels = cell.of(target).pixels;
+        for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
+            pixels[i] *= gain;
+            pixels[i + 1] *= gain;
+            pixels[i + 2] *= gain;
+        }
+    }
+}
+
+} // namespace
 
 void placeCell(const SheetGrid& grid, int number, const Image& cell, Image& sheet)
 {
@@ -39,6 +62,7 @@ Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, Pa
     FrameNeighbours neighbours(layers, frames, passes.has(Pass::Motion), 0, shelf);
     PassRenderer renderer;
     PassImages cell;
+    const float base = scene.output.exposure;
     for (int number = 0; number < cells; ++number) {
         const Result<FrameAmongOthers> frame = neighbours.at(static_cast<std::size_t>(number), task);
         if (!frame) {
@@ -52,6 +76,8 @@ Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, Pa
         if (Status status = watch ? watch(cell, frame.value(), renderer) : Status(Done{}); !status) {
             return status;
         }
+        // A sheet is shown with one exposure: what changes of it from frame to frame lies in its light.
+        expose(cell, scene.atFrame(frames.numbers[static_cast<std::size_t>(number)]).output.exposure - base);
         for (std::size_t i = 0; i < kPassTargets; ++i) {
             placeCell(sheet.grid, number, cell.targets[i], sheet.targets.targets[i]);
         }

@@ -81,16 +81,18 @@ Status scoreSixWay(const Scene& scene, const FlipbookOptions& options, const Pas
         if (!frame) {
             return frame.error();
         }
-        const View view = makeView(scene.camera, secondsOf(scene.timeline, frame.value().layers.front()->number),
-            sheet.grid.cellWidth, sheet.grid.cellHeight);
+        const View view = makeView(scene.atFrame(frames[static_cast<std::size_t>(number)]).camera,
+            secondsOf(scene.timeline, frame.value().layers.front()->number), sheet.grid.cellWidth,
+            sheet.grid.cellHeight);
         const SheetCell cell = sheet.grid.cell(number);
         for (std::size_t direction = 0; direction < kDirections; ++direction) {
             std::vector<SampledEffect> layers;
             for (const SampledEffect& layer : smoke.layers()) {
-                layers.push_back(sampled(litFrom(layer, view, directions[direction])));
+                layers.push_back(
+                    sampled(litFrom(layer.atFrame(frame.value().layers.front()->number), view, directions[direction])));
             }
             if (Status status =
-                    renderer.render(layerFrames(frame.value(), layers), cell.width, cell.height, truth, stop);
+                    renderer.render(LayersAtFrame(frame.value(), layers), cell.width, cell.height, truth, stop);
                 !status) {
                 return status;
             }

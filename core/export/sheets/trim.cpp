@@ -38,15 +38,15 @@ public:
             return status.error();
         }
         m_task.progress(ProgressPhase::Fitting, ++m_done, m_total);
-        return !showsSmoke(m_images.of(PassTarget::Colour));
+        return !showsSmoke(m_images.of(PassTarget::Colour), m_scene.atFrame(number));
     }
 
 private:
-    [[nodiscard]] bool showsSmoke(const Image& image) const
+    [[nodiscard]] static bool showsSmoke(const Image& image, const Scene& now)
     {
         constexpr float kSeen = 1.0F / 255.0F;
-        const bool byLight = coverOf(m_scene) == Cover::Light;
-        const float gain = exposureGain(m_scene.output.exposure);
+        const bool byLight = coverOf(now) == Cover::Light;
+        const float gain = exposureGain(now.output.exposure);
         for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
             const float* p = image.pixels.data() + i;
             if (p[3] >= kSeen || (byLight && gain * std::max({p[0], p[1], p[2]}) >= kSeen)) {

@@ -158,17 +158,17 @@ Status feed(const Scene& scene, const VideoOptions& options, bool alpha, const F
 {
     Image image;
     EncodedImage<Channel> encoded;
-    Output output = scene.output;
-    if (!alpha) {
-        output.background = Background::Colour;
-    }
     const FrameRange numbers = framesOf(scene, options);
     const int total = numbers.count();
     for (int i = 0; i < total; ++i) {
         if (Status status = frames(numbers.at(i), image); !status) {
             return status;
         }
-        encode(image, output, encoded, coverOf(scene));
+        Scene now = scene.atFrame(numbers.at(i));
+        if (!alpha) {
+            now.output.background = Background::Colour;
+        }
+        encode(image, now.output, encoded, coverOf(now));
         widen(encoded, sizeOf(scene.output, options.format));
         if (Status status = program.write(std::as_bytes(std::span(encoded.pixels)), task.stop); !status) {
             return status;

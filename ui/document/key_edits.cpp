@@ -1,0 +1,179 @@
+#include "ui/document/key_edits.h"
+
+#include "ui/document/parameter_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace fumage::ui {
+
+namespace {
+
+/// The texts of undo steps.
+struct KeyEdits {
+    Q_DECLARE_TR_FUNCTIONS(KeyEdits)
+};
+
+/// A track without some of its keys; where none is left the parameter has a value of its own.
+void takeOut(Scene& scene, std::size_t layer, const Track& track, const Value& shown)
+{
+    if (track.keys.empty()) {
+        Effect base = scene.effect(layer);
+        track.parameter->set(base, shown);
+        scene.assign(layer, base);
+    }
+    scene.tracksOf(*track.parameter, layer).set(track);
+}
+
+/// The tracks that hold some key frames, each once.
+std::vector<Track> tracksWith(const Document& document, const std::vector<KeyPlace>& keys)
+{
+    std::vector<Track> tracks;
+    for (const KeyPlace& key : keys) {
+        const Track* track = document.track(*key.parameter);
+        const bool isIn = std::any_of(
+            tracks.begin(), tracks.end(), [&](const Track& each) { return each.parameter == key.parameter; });
+        if (track != nullptr && !isIn) {
+            tracks.push_back(*track);
+        }
+    }
+    return tracks;
+}
+
+bool holds(const std::vector<KeyPlace>& keys, const Track& track, const KeyFrame& key)
+{
+    return std::find(keys.begin(), keys.end(), KeyPlace{track.parameter, key.seconds}) != keys.end();
+}
+
+} // namespace
+
+KeyState keyState(const Document& document, const Parameter& parameter)
+{
+    const Track* track = document.track(parameter);
+    if (track == nullptr) {
+        return KeyState::None;
+    }
+    return keyAt(*track, document.seconds()) != nullptr ? KeyState::Here : KeyState::Animated;
+}
+
+bool canEditKeys(const Document& document, const Parameter& parameter)
+{
+    return parameter.scope == Scope::Scene || !document.scene().layers[document.layer()].locked;
+}
+
+void addKey(Document& document, const Parameter& parameter)
+{
+    if (!canAnimate(parameter) || !canEditKeys(document, parameter)) {
+        return;
+    }
+    const Track* before = document.track(parameter);
+    Track track = before != nullptr ? *before : Track{&parameter, {}};
+    setKeyValue(track, document.seconds(), parameter.get(document.effect()));
+    replaceTracks(document, {track}, KeyEdits::tr("Key %1").arg(fullLabelOf(parameter)));
+}
+
+void removeKey(Document& document, const Parameter& parameter)
+{
+    const Track* track = document.track(parameter);
+    if (const KeyFrame* key = track != nullptr ? keyAt(*track, document.seconds()) : nullptr) {
+        removeKeys(document, {{&parameter, key->seconds}});
+    }
+}
+
+void removeAllKeys(Document& document, const Parameter& parameter)
+{
+    std::vector<KeyPlace> keys;
+    if (const Track* track = document.track(parameter)) {
+        for (const KeyFrame& key : track->keys) {
+            keys.push_back({&parameter, key.seconds});
+        }
+    }
+    removeKeys(document, keys);
+}
+
+void replaceTracks(Document& document, const std::vector<Track>& tracks, const QString& text, Gesture gesture)
+{
+    Scene scene = document.scene();
+    for (const Track& track : tracks) {
+        if (canEditKeys(document, *track.parameter)) {
+            scene.tracksOf(*track.parameter, document.layer()).set(track);
+        }
+    }
+    document.replaceScene(scene, document.selection(), text, gesture);
+}
+
+std::vector<Track> withMovedKeys(
+    const std::vector<Track>& base, const std::vector<KeyPlace>& keys, const std::vector<double>& moved)
+{
+    std::vector<Track> out;
+    for (const Track& track : base) {
+        Track rest{track.parameter, {}, track.before, track.after};
+        for (const KeyFrame& key : track.keys) {
+            if (!holds(keys, track, key)) {
+                rest.keys.push_back(key);
+            }
+        }
+        for (KeyFrame key : track.keys) {
+            const auto at = std::find(keys.begin(), keys.end(), KeyPlace{track.parameter, key.seconds});
+            if (at != keys.end()) {
+                key.seconds = std::max(0.0, moved[static_cast<std::size_t>(at - keys.begin())]);
+                setKey(rest, key);
+            }
+        }
+        out.push_back(std::move(rest));
+    }
+    return out;
+}
+
+void removeKeys(Document& document, const std::vector<KeyPlace>& keys)
+{
+    Scene scene = document.scene();
+    for (const Track& track : tracksWith(document, keys)) {
+        if (canEditKeys(document, *track.parameter)) {
+            Track rest = track;
+            std::erase_if(rest.keys, [&](const KeyFrame& key) { return holds(keys, track, key); });
+            takeOut(scene, document.layer(), rest, track.parameter->get(document.effect()));
+        }
+    }
+    document.replaceScene(scene, document.selection(), KeyEdits::tr("Remove key frames"));
+}
+
+void setEase(Document& document, const std::vector<KeyPlace>& keys, Ease ease)
+{
+    std::vector<Track> tracks = tracksWith(document, keys);
+    for (Track& track : tracks) {
+        for (KeyFrame& key : track.keys) {
+            if (holds(keys, track, key)) {
+                key = {key.seconds, key.value, ease};
+            }
+        }
+    }
+    replaceTracks(document, tracks, KeyEdits::tr("Ease of key frames"));
+}
+
+void setExtrapolation(Document& document, const Parameter& parameter, Extrapolation before, Extrapolation after)
+{
+    if (const Track* track = document.track(parameter)) {
+        Track changed = *track;
+        changed.before = before;
+        changed.after = after;
+        replaceTracks(document, {changed}, KeyEdits::tr("%1 outside its key frames").arg(fullLabelOf(parameter)));
+    }
+}
+
+std::vector<double> keyTimes(const Document& document)
+{
+    std::vector<double> times;
+    const Tracks tracks = document.scene().allTracks(document.layer());
+    for (const Track& track : tracks.all()) {
+        for (const KeyFrame& key : track.keys) {
+            times.push_back(key.seconds);
+        }
+    }
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,377 @@
+#include "ui/timeline/key_lanes.h"
+
+#include "ui/document/parameter_text.h"
+#include "ui/timeline/ease_icon.h"
+#include "ui/timeline/key_clipboard.h"
+#include "ui/timeline/timeline_ruler.h"
+#include "ui/widgets/diamond.h"
+#include "ui/widgets/field_keys.h"
+#include "ui/widgets/gesture.h"
+
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr double kReach = 7.0; ///< of a key under the hand, pixels
+constexpr double kRadius = 4.5;
+
+} // namespace
+
+KeyLanes::KeyLanes(Document& document, Player& player, const TimelineRuler& ruler, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_player(player)
+    , m_ruler(ruler)
+{
+    setObjectName(QStringLiteral("keyLanes"));
+    setAccessibleName(tr("Key frames"));
+    setToolTip(tr("Drag key frames to other times; Alt stretches, Delete removes, a double-click adds one"));
+    setFocusPolicy(Qt::ClickFocus);
+    connect(&document, &Document::effectChanged, this, &KeyLanes::sync);
+    connect(&document, &Document::selectionChanged, this, &KeyLanes::sync);
+    connect(&player, &Player::frameChanged, this, qOverload<>(&QWidget::update));
+    connect(&player, &Player::settingsChanged, this, qOverload<>(&QWidget::update));
+    sync();
+}
+
+QSize KeyLanes::sizeHint() const
+{
+    return {400, kLaneHeight * static_cast<int>(m_tracks.size())};
+}
+
+void KeyLanes::sync()
+{
+    const Tracks tracks = m_document.scene().allTracks(m_document.layer());
+    std::vector<Track> now(tracks.all().begin(), tracks.all().end());
+    if (now == m_tracks) {
+        return;
+    }
+    const bool isAsHigh = now.size() == m_tracks.size();
+    m_tracks = std::move(now);
+    std::erase_if(m_selected, [this](const KeyPlace& key) {
+        return std::none_of(m_tracks.begin(), m_tracks.end(), [&](const Track& track) {
+            return track.parameter == key.parameter
+                && std::any_of(track.keys.begin(), track.keys.end(),
+                    [&](const KeyFrame& each) { return each.seconds == key.seconds; });
+        });
+    });
+    if (!isAsHigh) {
+        setFixedHeight(sizeHint().height());
+        emit heightChanged();
+    }
+    update();
+}
+
+double KeyLanes::frameRate() const
+{
+    return m_document.scene().timeline.frameRate;
+}
+
+double KeyLanes::secondsAt(double x) const
+{
+    const double perFrame = m_ruler.xOf(1.0) - m_ruler.xOf(0.0);
+    return std::max(0.0, std::round((x - m_ruler.xOf(0.0)) / perFrame)) / frameRate();
+}
+
+const Track* KeyLanes::trackAt(double y) const
+{
+    const auto lane = static_cast<std::size_t>(std::max(0.0, y) / kLaneHeight);
+    return lane < m_tracks.size() ? &m_tracks[lane] : nullptr;
+}
+
+QPointF KeyLanes::placeOf(const KeyPlace& key) const
+{
+    const auto lane = std::find_if(
+        m_tracks.begin(), m_tracks.end(), [&](const Track& track) { return track.parameter == key.parameter; });
+    return {m_ruler.xOf(key.seconds * frameRate()),
+        (static_cast<double>(lane - m_tracks.begin()) + 0.5) * static_cast<double>(kLaneHeight)};
+}
+
+std::optional<KeyPlace> KeyLanes::keyUnder(const QPointF& at) const
+{
+    const Track* track = trackAt(at.y());
+    std::optional<KeyPlace> nearest;
+    double reach = kReach;
+    for (const KeyFrame& key : track != nullptr ? track->keys : std::vector<KeyFrame>()) {
+        const double away = std::abs(m_ruler.xOf(key.seconds * frameRate()) - at.x());
+        if (away < reach) {
+            reach = away;
+            nearest = KeyPlace{track->parameter, key.seconds};
+        }
+    }
+    return nearest;
+}
+
+bool KeyLanes::isSelected(const KeyPlace& key) const
+{
+    return std::find(m_selected.begin(), m_selected.end(), key) != m_selected.end();
+}
+
+std::vector<KeyPlace> KeyLanes::keysIn(const QRectF& box) const
+{
+    std::vector<KeyPlace> keys;
+    for (const Track& track : m_tracks) {
+        for (const KeyFrame& key : track.keys) {
+            const KeyPlace place{track.parameter, key.seconds};
+            if (box.contains(placeOf(place))) {
+                keys.push_back(place);
+            }
+        }
+    }
+    return keys;
+}
+
+void KeyLanes::select(const KeyPlace& key, Qt::KeyboardModifiers modifiers)
+{
+    const bool adds = modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::ShiftModifier);
+    if (isSelected(key)) {
+        if (modifiers.testFlag(Qt::ControlModifier)) {
+            std::erase(m_selected, key);
+        }
+        return;
+    }
+    if (!adds) {
+        m_selected.clear();
+    }
+    m_selected.push_back(key);
+}
+
+void KeyLanes::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || m_drag != Drag::None) {
+        return;
+    }
+    leaveField(*this);
+    setFocus();
+    m_press = m_at = event->position();
+    m_hasMoved = false;
+    if (const std::optional<KeyPlace> key = keyUnder(m_press)) {
+        select(*key, event->modifiers());
+        m_drag = Drag::Keys;
+        m_gesture = m_document.beginGesture();
+        m_base = m_tracks;
+        m_dragged = m_selected;
+    } else {
+        m_drag = Drag::Box;
+        if (!event->modifiers().testFlag(Qt::ShiftModifier)) {
+            m_selected.clear();
+        }
+    }
+    update();
+}
+
+void KeyLanes::mouseMoveEvent(QMouseEvent* event)
+{
+    constexpr double kStill = 3.0;
+    m_at = event->position();
+    m_hasMoved = m_hasMoved || (m_at - m_press).manhattanLength() > kStill;
+    if (m_drag == Drag::Keys && m_hasMoved) {
+        dragKeys(m_at, event->modifiers().testFlag(Qt::AltModifier));
+    } else if (m_drag == Drag::Box) {
+        m_selected = keysIn(QRectF(m_press, m_at).normalized());
+    }
+    update();
+}
+
+void KeyLanes::dragKeys(const QPointF& to, bool stretches)
+{
+    const double from = secondsAt(m_press.x());
+    double first = kMaxKeySeconds;
+    for (const KeyPlace& key : m_dragged) {
+        first = std::min(first, key.seconds);
+    }
+    const double way = std::max(-first, secondsAt(to.x()) - from);
+    const double factor = from > first ? std::max(0.0, (secondsAt(to.x()) - first) / (from - first)) : 1.0;
+    std::vector<double> times;
+    for (const KeyPlace& key : m_dragged) {
+        const double time = stretches ? first + (key.seconds - first) * factor : key.seconds + way;
+        times.push_back(std::round(time * frameRate()) / frameRate());
+    }
+    std::vector<Track> base;
+    std::copy_if(m_base.begin(), m_base.end(), std::back_inserter(base),
+        [this](const Track& track) { return canEditKeys(m_document, *track.parameter); });
+    replaceTracks(m_document, withMovedKeys(base, m_dragged, times), tr("Move key frames"), m_gesture);
+    m_selected.clear();
+    for (std::size_t i = 0; i < m_dragged.size(); ++i) {
+        const KeyPlace key{m_dragged[i].parameter, times[i]};
+        if (!isSelected(key)) {
+            m_selected.push_back(key);
+        }
+    }
+}
+
+void KeyLanes::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
+    const bool isClick = m_drag != Drag::None && !m_hasMoved;
+    m_drag = Drag::None;
+    if (isClick) {
+        m_player.pause();
+        m_player.setFrame(static_cast<int>(std::lround(secondsAt(m_press.x()) * frameRate())));
+    }
+    update();
+}
+
+void KeyLanes::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    const Track* track = trackAt(event->position().y());
+    if (event->button() == Qt::LeftButton && track != nullptr && !keyUnder(event->position())) {
+        const Parameter& parameter = *track->parameter;
+        m_player.setFrame(static_cast<int>(std::lround(secondsAt(event->position().x()) * frameRate())));
+        addKey(m_document, parameter);
+        m_selected = {{&parameter, m_document.seconds()}};
+    }
+}
+
+bool KeyLanes::event(QEvent* event)
+{
+    if (event->type() == DragCancel::type() && m_drag == Drag::Keys) {
+        replaceTracks(m_document, m_base, {}, m_gesture);
+        m_selected = m_dragged;
+        event->accept();
+        return true;
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (key.key() == Qt::Key_Delete || key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Paste)
+            || key.matches(QKeySequence::SelectAll)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void KeyLanes::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Delete && !m_selected.empty()) {
+        removeKeys(m_document, m_selected);
+    } else if (event->matches(QKeySequence::Copy)) {
+        copyKeys(m_document, m_selected);
+    } else if (event->matches(QKeySequence::Paste)) {
+        m_selected = pasteKeys(m_document);
+    } else if (event->matches(QKeySequence::SelectAll)) {
+        m_selected = keysIn(rect().adjusted(-width(), 0, width(), 0));
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+    update();
+}
+
+void KeyLanes::addEaseMenu(QMenu& menu)
+{
+    static constexpr std::array kOffered{Ease::Auto, Ease::Linear, Ease::Hold};
+    const std::array names{tr("Smooth"), tr("Linear"), tr("Hold")};
+    for (std::size_t i = 0; i < kOffered.size(); ++i) {
+        menu.addAction(easeIcon(kOffered[i], palette().text().color()), names[i], this,
+                [this, ease = kOffered[i]] { setEase(m_document, m_selected, ease); })
+            ->setEnabled(!m_selected.empty());
+    }
+    menu.addSeparator();
+}
+
+void KeyLanes::addOutsideMenu(QMenu& menu, const Track& track)
+{
+    const std::array names{tr("Hold"), tr("Repeat"), tr("Back and forth")};
+    for (const bool isAfter : {false, true}) {
+        QMenu* sides = menu.addMenu(isAfter ? tr("After the last key frame") : tr("Before the first key frame"));
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto how = static_cast<Extrapolation>(i);
+            QAction* action = sides->addAction(names[i], this, [this, how, isAfter, track] {
+                setExtrapolation(
+                    m_document, *track.parameter, isAfter ? track.before : how, isAfter ? how : track.after);
+            });
+            action->setCheckable(true);
+            action->setChecked(how == (isAfter ? track.after : track.before));
+        }
+    }
+    menu.addSeparator();
+}
+
+void KeyLanes::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (const std::optional<KeyPlace> key = keyUnder(event->pos()); key && !isSelected(*key)) {
+        m_selected = {*key};
+        update();
+    }
+    QMenu menu(this);
+    menu.setObjectName(QStringLiteral("keyMenu"));
+    addEaseMenu(menu);
+    if (const Track* track = trackAt(event->pos().y())) {
+        addOutsideMenu(menu, *track);
+    }
+    menu.addAction(tr("Copy"), this, [this] { copyKeys(m_document, m_selected); })->setEnabled(!m_selected.empty());
+    menu.addAction(tr("Paste at the time that is shown"), this, [this] { m_selected = pasteKeys(m_document); })
+        ->setEnabled(hasCopiedKeys());
+    menu.addAction(tr("Remove"), this, [this] { removeKeys(m_document, m_selected); })->setEnabled(!m_selected.empty());
+    menu.exec(event->globalPos());
+}
+
+void KeyLanes::paintLane(QPainter& painter, const Track& track, double top) const
+{
+    const Parameter& parameter = *track.parameter;
+    QColor faint = palette().text().color();
+    faint.setAlpha(28);
+    painter.fillRect(QRectF(0.0, top, width(), kLaneHeight - 1.0), faint);
+    if (parameter.kind == Kind::Float) {
+        const auto valueAt = [&](double seconds) { return std::get<float>(track.at(seconds)); };
+        std::vector<float> values;
+        constexpr int kStep = 2; // pixels
+        const double perSecond = (m_ruler.xOf(1.0) - m_ruler.xOf(0.0)) * frameRate();
+        const double left = m_ruler.xOf(0.0);
+        for (double x = left; x < width() - left; x += kStep) {
+            values.push_back(valueAt((x - left) / perSecond));
+        }
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        QPolygonF line;
+        for (std::size_t i = 0; i < values.size() && *high > *low; ++i) {
+            const double up = static_cast<double>((values[i] - *low) / (*high - *low));
+            line << QPointF(left + kStep * static_cast<double>(i), top + 2.0 + (1.0 - up) * (kLaneHeight - 5.0));
+        }
+        QColor curve = palette().highlight().color();
+        curve.setAlpha(150);
+        painter.setPen(QPen(curve, 1.2));
+        painter.drawPolyline(line);
+    }
+    QColor text = palette().text().color();
+    text.setAlpha(170);
+    painter.setPen(text);
+    painter.drawText(QRectF(m_ruler.xOf(0.0) + 2.0 * kRadius, top, width(), kLaneHeight - 1.0),
+        Qt::AlignLeft | Qt::AlignVCenter, fullLabelOf(parameter));
+    for (const KeyFrame& key : track.keys) {
+        const bool chosen = isSelected({&parameter, key.seconds});
+        paintDiamond(painter, placeOf({&parameter, key.seconds}), kRadius,
+            chosen ? palette().highlight().color() : palette().text().color(), true);
+    }
+}
+
+void KeyLanes::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t lane = 0; lane < m_tracks.size(); ++lane) {
+        paintLane(painter, m_tracks[lane], static_cast<double>(lane) * kLaneHeight);
+    }
+    const double x = m_ruler.xOf(m_player.frame());
+    painter.setPen(QPen(palette().highlight().color(), 1.0));
+    painter.drawLine(QLineF(x, 0.0, x, height()));
+    if (m_drag == Drag::Box && m_hasMoved) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().highlight().color(), 1.0, Qt::DashLine));
+        painter.drawRect(QRectF(m_press, m_at).normalized());
+    }
+}
+
+} // namespace fumage::ui

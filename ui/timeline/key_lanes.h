@@ -1,0 +1,82 @@
+#pragma once
+
+#include "ui/document/key_edits.h"
+#include "ui/timeline/player.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QMenu;
+
+namespace fumage::ui {
+
+class TimelineRuler;
+
+/// The key frames of the layer that is edited and of what all layers share, a lane a parameter, under the ruler and in
+/// line with it. Keys are chosen by a click or a box, dragged to other frames, stretched with Alt, removed by Delete,
+/// copied and pasted at the time that is shown. It takes no room where nothing changes over time.
+class KeyLanes : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param ruler that says where a frame lies
+    KeyLanes(Document& document, Player& player, const TimelineRuler& ruler, QWidget* parent);
+
+    [[nodiscard]] const std::vector<KeyPlace>& selected() const { return m_selected; }
+    /// Where a key frame is painted.
+    [[nodiscard]] QPointF placeOf(const KeyPlace& key) const;
+
+    QSize sizeHint() const override;
+
+    static constexpr int kLaneHeight = 18; ///< pixels
+
+signals:
+    /// There are more lanes, or fewer.
+    void heightChanged();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    enum class Drag {
+        None,
+        Keys,
+        Box,
+    };
+    void sync();
+    [[nodiscard]] double frameRate() const;
+    [[nodiscard]] double secondsAt(double x) const;
+    [[nodiscard]] const Track* trackAt(double y) const;
+    [[nodiscard]] std::optional<KeyPlace> keyUnder(const QPointF& at) const;
+    [[nodiscard]] bool isSelected(const KeyPlace& key) const;
+    [[nodiscard]] std::vector<KeyPlace> keysIn(const QRectF& box) const;
+    void select(const KeyPlace& key, Qt::KeyboardModifiers modifiers);
+    void dragKeys(const QPointF& to, bool stretches);
+    void paintLane(QPainter& painter, const Track& track, double top) const;
+    void addEaseMenu(QMenu& menu);
+    void addOutsideMenu(QMenu& menu, const Track& track);
+
+    Document& m_document;
+    Player& m_player;
+    const TimelineRuler& m_ruler;
+    std::vector<Track> m_tracks; ///< a lane each
+    std::vector<KeyPlace> m_selected;
+    Drag m_drag = Drag::None;
+    QPointF m_press;
+    QPointF m_at;
+    bool m_hasMoved = false;
+    Gesture m_gesture;
+    std::vector<Track> m_base; ///< before the gesture
+    std::vector<KeyPlace> m_dragged; ///< in it
+};
+
+} // namespace fumage::ui

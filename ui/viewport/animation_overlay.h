@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/effect/track.h"
+#include "core/rendering/camera.h"
+
+#include <QRect>
+
+class QPainter;
+
+namespace fumage::ui {
+
+/// The way that an emitter takes: a line with a tick at each frame and a dot at each key frame.
+void paintEmitterWay(QPainter& painter, const Track& way, const Timeline& timeline, const View& view);
+
+/// Tells that each edit puts a key frame: a red ring around the picture.
+void paintAutoKey(QPainter& painter, const QRect& window, const QString& text);
+
+} // namespace fumage::ui
