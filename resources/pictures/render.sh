@@ -17,6 +17,10 @@ for preset in "$here"/../presets/*.json; do
     fire-ball) frame=24 ;;
     mushroom-cloud) frame=95 ;;
     ceiling) frame=110 ;;
+    lit-fire) frame=100 ;;
+    breath) frame=28 ;;
+    missile) frame=62 ;;
+    torch) frame=10 ;;
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
 done
