@@ -16,7 +16,9 @@ QRectF exportFrame(const Scene& scene, int width, int height)
 
 View windowView(const Scene& scene, int frame, int width, int height)
 {
-    View view = makeView(scene.atFrame(frame).camera, secondsOf(scene.timeline, frame), width, height);
+    const bool moves = !scene.tracks.empty(); // else nothing is copied: this is asked for at each move of the mouse
+    View view =
+        makeView(moves ? scene.atFrame(frame).camera : scene.camera, secondsOf(scene.timeline, frame), width, height);
     const QRectF inside = exportFrame(scene, width, height);
     const double shorter = std::min(inside.width(), inside.height());
     view.focal *= static_cast<float>(shorter / std::min(width, height));
