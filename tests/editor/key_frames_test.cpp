@@ -13,6 +13,7 @@
 #include "core/effect/known_parameter.h"
 
 #include <QClipboard>
+#include <QLayout>
 
 using namespace fumage;
 using namespace fumage::tests;

@@ -23,6 +23,7 @@
 #include <QMimeData>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 #include <QUrl>
 #include <QtMath>
 

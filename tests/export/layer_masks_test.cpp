@@ -156,7 +156,8 @@ private slots:
             const float ulp = std::ldexp(1.0F, -24 - static_cast<int>(i % 20));
             std::int32_t left = bits;
             for (std::size_t k = 0; k < 5; ++k) {
-                const std::int32_t part = k == 4 ? left : static_cast<std::int32_t>(random() % (left + 1));
+                const std::int32_t part =
+                    k == 4 ? left : static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(left + 1));
                 sheet.masks[k].values[i] = static_cast<float>(part) * ulp;
                 left -= part;
             }

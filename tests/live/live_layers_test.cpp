@@ -185,7 +185,8 @@ private slots:
         above.look.opacity = 20.0F;
         const auto brightness = [](LiveScene& live) {
             double sum = 0.0;
-            for (const glm::vec4& colour : live.litColours(0).value()) {
+            const std::span<const glm::vec4> colours = live.litColours(0).value();
+            for (const glm::vec4& colour : colours) {
                 sum += static_cast<double>(colour.r);
             }
             return sum;

@@ -214,7 +214,8 @@ private slots:
         effect.light.occlusion = 0.0F;
         effect.look.overlap = 1.0F;
         LiveSimulation live = settled(effect);
-        for (const glm::vec3& normal : live.normals().value()) {
+        const std::span<const glm::vec3> normals = live.normals().value();
+        for (const glm::vec3& normal : normals) {
             QCOMPARE(glm::length(normal), 0.0F);
         }
     }

@@ -248,7 +248,7 @@ private slots:
     {
         Scene scene = smoke();
         scene.layers[0].look.detail = 1.0F;
-        for (const std::size_t late : {0, 1}) {
+        for (const std::size_t late : {std::size_t{0}, std::size_t{1}}) {
             Scene both = scene;
             both.layers.resize(2, scene.layers[0]);
             both.layers[late].emitter.start = 5.0F;

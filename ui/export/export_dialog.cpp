@@ -15,7 +15,6 @@
 #include "core/effect/known_parameter.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include <QComboBox>
 #include <QDesktopServices>
@@ -197,11 +196,11 @@ std::vector<ExportPlan> ExportDialog::choices() const
 
 void ExportDialog::take(std::span<const ExportPlan> choices)
 {
-    for (const ExportPlan& plan : std::views::reverse(choices)) { // what kinds share, the first has the say of
-        m_formats[placeOfFormat(plan.kind)] = formatOf(plan);
-        m_flipbook->take(plan);
-        m_data->take(plan);
-        m_pictures->take(plan);
+    for (auto plan = choices.rbegin(); plan != choices.rend(); ++plan) { // what kinds share, the first has the say of
+        m_formats[placeOfFormat(plan->kind)] = formatOf(*plan);
+        m_flipbook->take(*plan);
+        m_data->take(*plan);
+        m_pictures->take(*plan);
     }
     if (!choices.empty()) {
         setKind(choices.front().kind);

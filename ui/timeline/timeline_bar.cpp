@@ -31,7 +31,6 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr double kMargin = 12.0;
 constexpr const Parameter& kFrameRate = knownParameter("timeline.frame_rate");
 constexpr const Parameter& kLoop = knownParameter("timeline.loop");
 
