@@ -82,15 +82,6 @@ bool hasKeys(const Tracks& tracks, std::string_view group)
         [&](const Track& track) { return track.parameter->group() == group; });
 }
 
-/// Adds the parameters of a layer that change over time: of any the value at the time that is shown may be another.
-void addKeyed(const Scene& scene, std::size_t layer, std::vector<const Parameter*>& changed)
-{
-    const Tracks tracks = layer < scene.layers.size() ? scene.allTracks(layer) : scene.tracks;
-    for (const Track& track : tracks.all()) {
-        changed.push_back(track.parameter);
-    }
-}
-
 /// Whether lists of the layers of both look alike.
 bool hasSameLayers(const Scene& one, const Scene& other)
 {
@@ -142,7 +133,7 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
     std::vector<const Parameter*> refused;
     for (const Assignment& assignment : assignments) {
         const Parameter& stored = storedParameter(*assignment.parameter);
-        if (stored.scope == Scope::Layer && scene().layers[layer()].locked) {
+        if (!canEdit(stored)) {
             refused.push_back(&stored);
             continue;
         }

@@ -57,6 +57,10 @@ public:
     /// Whether each edit of a parameter that can change over time puts a key frame, also where it has none yet.
     [[nodiscard]] bool autoKey() const { return m_autoKey; }
     void setAutoKey(bool on);
+    /// Whether a parameter may be edited: its layer is not locked, or it is of what all layers share.
+    [[nodiscard]] bool canEdit(const Parameter& parameter) const;
+    /// The key frames that a parameter has once it has a value at the time that is shown.
+    [[nodiscard]] Track withKey(const Parameter& parameter, const Value& value) const;
     /// The key frames of a parameter of the layer that is edited, or of what all layers share; null: it does not change
     /// over time.
     [[nodiscard]] const Track* track(const Parameter& parameter) const;
@@ -148,8 +152,15 @@ private:
     void write(const Scene& scene, const LayerSelection& selection, std::vector<const Parameter*> changed) override;
     void rebase();
     void setCamera(const Camera& camera);
-    /// The layer of the reference at the time that is shown.
+    /// The layer of the reference that one is measured by.
+    [[nodiscard]] std::size_t referenceLayer(std::size_t layer) const
+    {
+        return layer < m_referenceScene.layers.size() ? layer : 0;
+    }
+    /// That layer at the time that is shown.
     [[nodiscard]] Effect referenceNow(std::size_t layer) const;
+    /// Adds the parameters of a layer that change over time: of any the value at the time that is shown may be another.
+    static void addKeyed(const Scene& scene, std::size_t layer, std::vector<const Parameter*>& changed);
     /// Whether an edit of a parameter puts a key frame.
     [[nodiscard]] bool getsKey(const Parameter& parameter) const;
     /// Several parameters in one step, of which some have key frames.

@@ -10,7 +10,15 @@ namespace fumage::ui {
 
 Effect Document::referenceNow(std::size_t layer) const
 {
-    return m_referenceScene.effectAt(layer < m_referenceScene.layers.size() ? layer : 0, m_seconds);
+    return m_referenceScene.effectAt(referenceLayer(layer), m_seconds);
+}
+
+void Document::addKeyed(const Scene& scene, std::size_t layer, std::vector<const Parameter*>& changed)
+{
+    const Tracks tracks = layer < scene.layers.size() ? scene.allTracks(layer) : scene.tracks;
+    for (const Track& track : tracks.all()) {
+        changed.push_back(track.parameter);
+    }
 }
 
 void Document::setSeconds(double seconds)
@@ -19,13 +27,10 @@ void Document::setSeconds(double seconds)
         return;
     }
     m_seconds = seconds;
-    const Tracks tracks = scene().allTracks(layer());
-    if (tracks.empty()) {
-        return;
-    }
     std::vector<const Parameter*> changed;
-    for (const Track& track : tracks.all()) {
-        changed.push_back(track.parameter);
+    addKeyed(scene(), layer(), changed);
+    if (changed.empty()) {
+        return;
     }
     m_effect = scene().effectAt(layer(), m_seconds);
     m_reference = referenceNow(layer());
@@ -43,6 +48,19 @@ void Document::setAutoKey(bool on)
 const Track* Document::track(const Parameter& parameter) const
 {
     return scene().tracksOf(parameter, layer()).find(parameter);
+}
+
+bool Document::canEdit(const Parameter& parameter) const
+{
+    return parameter.scope == Scope::Scene || !scene().layers[layer()].locked;
+}
+
+Track Document::withKey(const Parameter& parameter, const Value& value) const
+{
+    const Track* before = track(parameter);
+    Track keyed = before != nullptr ? *before : Track{&parameter, {}};
+    setKeyValue(keyed, m_seconds, value);
+    return keyed;
 }
 
 bool Document::getsKey(const Parameter& parameter) const
@@ -63,10 +81,7 @@ void Document::editKeys(const std::vector<EditCommand::Change>& changes, const Q
     QStringList names;
     for (const EditCommand::Change& change : changes) {
         if (getsKey(*change.parameter)) {
-            const Track* before = track(*change.parameter);
-            Track keyed = before != nullptr ? *before : Track{change.parameter, {}};
-            setKeyValue(keyed, m_seconds, change.after);
-            after.tracksOf(*change.parameter, layer()).set(std::move(keyed));
+            after.tracksOf(*change.parameter, layer()).set(withKey(*change.parameter, change.after));
         }
         names += fullLabelOf(*change.parameter);
     }
@@ -78,11 +93,11 @@ void Document::reset(const Parameter& parameter)
 {
     const Parameter& stored = storedParameter(parameter);
     const QString text = tr("Reset %1").arg(fullLabelOf(parameter));
-    const std::size_t from = layer() < m_referenceScene.layers.size() ? layer() : 0;
+    const std::size_t from = referenceLayer(layer());
     const Track* before = m_referenceScene.tracksOf(stored, from).find(stored);
     if (before == nullptr && track(stored) == nullptr) {
         edit({{&stored, stored.get(m_reference)}}, text);
-    } else if (stored.scope == Scope::Scene || !scene().layers[layer()].locked) {
+    } else if (canEdit(stored)) {
         Scene after = scene();
         Effect base = after.effect(layer());
         stored.set(base, stored.get(m_referenceScene.effect(from)));

@@ -57,20 +57,13 @@ KeyState keyState(const Document& document, const Parameter& parameter)
     return keyAt(*track, document.seconds()) != nullptr ? KeyState::Here : KeyState::Animated;
 }
 
-bool canEditKeys(const Document& document, const Parameter& parameter)
-{
-    return parameter.scope == Scope::Scene || !document.scene().layers[document.layer()].locked;
-}
-
 void addKey(Document& document, const Parameter& parameter)
 {
-    if (!canAnimate(parameter) || !canEditKeys(document, parameter)) {
+    if (!canAnimate(parameter) || !document.canEdit(parameter)) {
         return;
     }
-    const Track* before = document.track(parameter);
-    Track track = before != nullptr ? *before : Track{&parameter, {}};
-    setKeyValue(track, document.seconds(), parameter.get(document.effect()));
-    replaceTracks(document, {track}, KeyEdits::tr("Key %1").arg(fullLabelOf(parameter)));
+    replaceTracks(document, {document.withKey(parameter, parameter.get(document.effect()))},
+        KeyEdits::tr("Key %1").arg(fullLabelOf(parameter)));
 }
 
 void removeKey(Document& document, const Parameter& parameter)
@@ -96,7 +89,7 @@ void replaceTracks(Document& document, const std::vector<Track>& tracks, const Q
 {
     Scene scene = document.scene();
     for (const Track& track : tracks) {
-        if (canEditKeys(document, *track.parameter)) {
+        if (document.canEdit(*track.parameter)) {
             scene.tracksOf(*track.parameter, document.layer()).set(track);
         }
     }
@@ -130,7 +123,7 @@ void removeKeys(Document& document, const std::vector<KeyPlace>& keys)
 {
     Scene scene = document.scene();
     for (const Track& track : tracksWith(document, keys)) {
-        if (canEditKeys(document, *track.parameter)) {
+        if (document.canEdit(*track.parameter)) {
             Track rest = track;
             std::erase_if(rest.keys, [&](const KeyFrame& key) { return holds(keys, track, key); });
             takeOut(scene, document.layer(), rest, track.parameter->get(document.effect()));

@@ -16,9 +16,6 @@ enum class KeyState {
 };
 [[nodiscard]] KeyState keyState(const Document& document, const Parameter& parameter);
 
-/// Whether key frames of a parameter may be edited: its layer is not locked.
-[[nodiscard]] bool canEditKeys(const Document& document, const Parameter& parameter);
-
 /// Puts a key frame at the time that is shown, with the value that the parameter has there.
 void addKey(Document& document, const Parameter& parameter);
 /// Takes the key frame at the time that is shown away; with the last one the parameter keeps its value.

@@ -30,7 +30,7 @@ void KeyMark::toggle()
 void KeyMark::sync()
 {
     const KeyState state = keyState(m_document, m_parameter);
-    setEnabled(canEditKeys(m_document, m_parameter));
+    setEnabled(m_document.canEdit(m_parameter));
     if (state != m_state || toolTip().isEmpty()) {
         m_state = state;
         setToolTip(state == KeyState::Here ? tr("Key frame here; click to remove it")

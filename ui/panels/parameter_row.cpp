@@ -200,7 +200,7 @@ void ParameterRow::paste()
 void ParameterRow::addKeyActions(QMenu& menu)
 {
     const KeyState state = keyState(m_document, stored());
-    const bool isFree = canEditKeys(m_document, stored());
+    const bool isFree = m_document.canEdit(stored());
     menu.addAction(tr("Set a key frame here"), this, [this] { addKey(m_document, stored()); })
         ->setEnabled(isFree && state != KeyState::Here);
     menu.addAction(tr("Remove the key frame here"), this, [this] { removeKey(m_document, stored()); })

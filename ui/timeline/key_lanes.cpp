@@ -197,10 +197,7 @@ void KeyLanes::dragKeys(const QPointF& to, bool stretches)
         const double time = stretches ? first + (key.seconds - first) * factor : key.seconds + way;
         times.push_back(std::round(time * frameRate()) / frameRate());
     }
-    std::vector<Track> base;
-    std::copy_if(m_base.begin(), m_base.end(), std::back_inserter(base),
-        [this](const Track& track) { return canEditKeys(m_document, *track.parameter); });
-    replaceTracks(m_document, withMovedKeys(base, m_dragged, times), tr("Move key frames"), m_gesture);
+    replaceTracks(m_document, withMovedKeys(m_base, m_dragged, times), tr("Move key frames"), m_gesture);
     m_selected.clear();
     for (std::size_t i = 0; i < m_dragged.size(); ++i) {
         const KeyPlace key{m_dragged[i].parameter, times[i]};
