@@ -3,6 +3,7 @@
 #include "tests/helpers.h"
 #include "tests/parameter_rows.h"
 #include "tests/parameter_stage.h"
+#include "tests/scene/scene_pictures.h"
 
 #include "core/preset/preset_file.h"
 #include "core/rendering/scene_renderer.h"
@@ -34,17 +35,6 @@ Scene withTrack(const Effect& effect, const Track& track)
 std::shared_ptr<const Frame> frameOfScene(const Scene& scene, int number)
 {
     return SceneSimulator(sampledLayers(scene)).frame(number).value().layers.front();
-}
-
-Image pictureOf(const Scene& scene, int number)
-{
-    SceneRenderer renderer(scene);
-    Image image;
-    const Status status = renderer.render(number, scene.output.width, scene.output.height, image);
-    if (!status) {
-        qFatal("%s", status.error().text().c_str());
-    }
-    return image;
 }
 
 bool sameFrame(const Frame& a, const Frame& b)

@@ -1,4 +1,5 @@
 #include "tests/helpers.h"
+#include "tests/scene/scene_pictures.h"
 
 #include "core/lighting/appearance.h"
 #include "core/lighting/light_grid.h"
@@ -58,13 +59,7 @@ SceneFrame frameOf(const Scene& scene, int number = kFrame)
 
 Image pictureOf(const Scene& scene, int number = kFrame)
 {
-    SceneRenderer renderer(scene);
-    Image image;
-    const Status status = renderer.render(number, scene.output.width, scene.output.height, image);
-    if (!status) {
-        qFatal("%s", status.error().text().c_str());
-    }
-    return image;
+    return tests::pictureOf(scene, number);
 }
 
 bool sameBits(const Image& a, const Image& b)
