@@ -32,6 +32,19 @@ std::string rangeText(const Parameter& parameter)
         + formatFloat(static_cast<float>(parameter.hard.high));
 }
 
+/// When a parameter with key frames has its value; nothing where it cannot change over time.
+std::string_view readingText(Animates animates)
+{
+    switch (animates) {
+    case Animates::Never: return {};
+    case Animates::Frame: return "at each frame";
+    case Animates::Step: return "at each step";
+    case Animates::Birth: return "at birth";
+    case Animates::Rate: return "summed up";
+    }
+    return {};
+}
+
 Status plain()
 {
     const Effect defaults;
@@ -53,12 +66,13 @@ Status markdown()
         if (parameter.group() != group) {
             group = parameter.group();
             out << "\n## " << groupLabel(group)
-                << "\n\n| key | default | range | unit | what it does |\n|---|---|---|---|---|\n";
+                << "\n\n| key | default | range | unit | key frames | what it does |\n|---|---|---|---|---|---|\n";
         }
         out << "| <a id=\"" << parameter.key << "\"></a>`" << parameter.key << "` | "
             << formatText(parameter, parameter.get(defaults), parameter.kind == Kind::Picture) << " | "
-            << rangeText(parameter) << " | " << unitSymbol(parameter.unit) << " | " << parameter.tip
-            << (parameter.source.empty() ? "" : " *" + std::string(parameter.source) + ".*") << " |\n";
+            << rangeText(parameter) << " | " << unitSymbol(parameter.unit) << " | " << readingText(parameter.animates)
+            << " | " << parameter.tip << (parameter.source.empty() ? "" : " *" + std::string(parameter.source) + ".*")
+            << " |\n";
     }
     return print(out.str());
 }
