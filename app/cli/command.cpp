@@ -165,8 +165,7 @@ void EffectOptions::addTo(CLI::App& command)
     command
         .add_option("--animate", animations,
             "Let a parameter change over time: --animate \"emitter.rate=1:0; 2:1\", seconds and value of each key "
-            "frame, "
-            "and its ease (auto, linear, hold); after=loop repeats them; may be repeated")
+            "frame, and its ease (auto, linear, hold); after=loop repeats them; may be repeated")
         ->type_name("KEY=KEYFRAMES")
         ->take_all()
         ->allow_extra_args(false)
