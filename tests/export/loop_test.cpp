@@ -221,9 +221,9 @@ private slots:
         const auto shelf = std::make_shared<AirCache>();
         QVERIFY(renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {}, shelf).ok());
         const std::vector<double> all = speeds(sheet, spans);
-        constexpr std::ptrdiff_t kNear = 5;
-        std::vector<double> near(all.begin() + 1, all.begin() + 1 + kNear);
-        near.insert(near.end(), all.end() - 1 - kNear, all.end() - 1);
+        constexpr std::ptrdiff_t kNeighbourhood = 5;
+        std::vector<double> near(all.begin() + 1, all.begin() + 1 + kNeighbourhood);
+        near.insert(near.end(), all.end() - 1 - kNeighbourhood, all.end() - 1);
         const auto [least, most] = std::minmax_element(near.begin(), near.end());
         for (const double seam : {all.front(), all.back()}) {
             QVERIFY2(seam >= 0.9 * *least && seam <= 1.1 * *most,

@@ -355,7 +355,9 @@ private slots:
                         QString::fromStdString(options.output.string()), QStringLiteral("-f"),
                         QStringLiteral("rawvideo"), QStringLiteral("-pix_fmt"), QStringLiteral("rgb24"),
                         QStringLiteral("-")});
-                const auto [wide, high] = sizeOf(effect.output, format);
+                const auto size = sizeOf(effect.output, format);
+                const int wide = size[0];
+                const int high = size[1];
                 QVERIFY(raw && raw->size() == qsizetype{3} * wide * high);
                 const auto at = [&](int x, int y, int channel) {
                     return static_cast<int>(

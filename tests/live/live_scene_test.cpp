@@ -178,7 +178,7 @@ private slots:
         Scene scene = torch();
         scene.layers[2].emitter.length = 0.0F;
         LiveScene live = startedScene(scene);
-        constexpr int kSettled = 60;
+        [[maybe_unused]] constexpr int kSettled = 60;
         for (int step = 0; step < 300; ++step) {
             [[maybe_unused]] const std::size_t before = allocations();
             const float way = 0.02F * static_cast<float>(step);
