@@ -18,4 +18,11 @@ struct PlaneBasis {
 /// @param normal unit vector
 [[nodiscard]] PlaneBasis planeBasis(const glm::vec3& normal);
 
+/// Whether a turn from one unit vector to another has no way of its own.
+[[nodiscard]] inline bool areAlmostOpposite(const glm::vec3& a, const glm::vec3& b)
+{
+    constexpr float kAlmostOpposite = -0.99F;
+    return glm::dot(a, b) < kAlmostOpposite;
+}
+
 } // namespace fumage

@@ -32,8 +32,14 @@ public:
     /// Whether anything changes over time that is read in one way.
     [[nodiscard]] bool isAnimated(Animates when) const { return m_tracks && m_tracks->any(when); }
 
-    /// Whether one parameter changes over time.
-    [[nodiscard]] bool changes(const Parameter& row) const { return m_tracks && m_tracks->find(row) != nullptr; }
+    /// How one parameter changes over time; null: it does not.
+    [[nodiscard]] const Track* track(const Parameter& row) const { return m_tracks ? m_tracks->find(row) : nullptr; }
+    [[nodiscard]] bool changes(const Parameter& row) const { return track(row) != nullptr; }
+    /// All of tracks(); none where nothing changes.
+    [[nodiscard]] std::span<const Track> allTracks() const
+    {
+        return m_tracks ? m_tracks->all() : std::span<const Track>();
+    }
 
     /// The effect as a frame is drawn: parameters that are read once a frame have their values, the turntable has
     /// turned, and nothing of it changes over time any more.

@@ -31,6 +31,8 @@ void takeSheet(const FlipbookOptions& sheet, ExportPlan& plan)
     plan.flipbook.retime = sheet.retime;
     plan.passes = sheet.passes;
     plan.style = sheet.style;
+    plan.layers = sheet.layers;
+    plan.blending = sheet.blending;
     plan.flipbook.packs = sheet.packs;
     plan.flipbook.engine = sheet.engine;
 }

@@ -52,12 +52,6 @@ Result<EmitterPose> checkedPose(const EmitterPose& pose)
     return EmitterPose{pose.position, glm::normalize(pose.normal / longest), pose.velocity};
 }
 
-bool isFlip(const glm::vec3& a, const glm::vec3& b)
-{
-    constexpr float kAlmostOpposite = -0.99F;
-    return glm::dot(a, b) < kAlmostOpposite;
-}
-
 EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share)
 {
     if (share >= 1.0) {
@@ -65,7 +59,7 @@ EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share
     }
     const auto t = static_cast<float>(share);
     EmitterPose out{glm::mix(from.position, to.position, t), to.normal, glm::mix(from.velocity, to.velocity, t)};
-    if (from.normal != to.normal && !isFlip(from.normal, to.normal)) {
+    if (from.normal != to.normal && !areAlmostOpposite(from.normal, to.normal)) {
         out.normal = glm::normalize(glm::mix(from.normal, to.normal, t));
     }
     return out;

@@ -22,10 +22,7 @@ struct EmitterPose {
 /// @error OutOfRange where it has no direction or is no number
 [[nodiscard]] Result<EmitterPose> checkedPose(const EmitterPose& pose);
 
-/// Whether a turn from one unit vector to another has no way of its own: they are almost opposite.
-[[nodiscard]] bool isFlip(const glm::vec3& a, const glm::vec3& b);
-
-/// A pose on the way from one to another, straight, the normal turning with it; a flip has happened at once.
+/// A pose on the way from one to another, straight, the normal turning with it; a turn to almost the opposite has happened at once.
 /// @param share 0 to 1; 1 is the other, to the bit
 [[nodiscard]] EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share);
 

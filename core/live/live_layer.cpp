@@ -1,6 +1,7 @@
 #include "core/live/live_layer.h"
 
 #include "core/base/parallel.h"
+#include "core/base/vector.h"
 #include "core/simulation/chunk_step.h"
 #include "core/simulation/particle_ring.h"
 #include "core/simulation/sub_emitter.h"
@@ -193,7 +194,7 @@ void LiveLayer::moveParticles(std::int64_t births)
 {
     EmitterTravel travel{
         m_coming.position - m_pose.position, m_pose.normal, m_coming.velocity, m_parts.front().betweenSteps};
-    if (isFlip(travel.normalBefore, m_coming.normal)) {
+    if (areAlmostOpposite(travel.normalBefore, m_coming.normal)) {
         travel.normalBefore = m_coming.normal;
     }
     if (m_parent != nullptr) {

@@ -84,7 +84,7 @@ std::vector<double> timesOf(const SampledEffect& effect)
     std::vector<double> times{0.0};
     constexpr std::size_t kMaxTimes = 256;
     constexpr int kBetween = 4;
-    for (const Track& track : effect.tracks() ? effect.tracks()->all() : std::span<const Track>()) {
+    for (const Track& track : effect.allTracks()) {
         const std::size_t stride = 1 + kBetween * track.keys.size() / kMaxTimes;
         for (std::size_t key = 0; track.parameter->dirties == DirtyStage::Air && key < track.keys.size();
              key += stride) {
@@ -339,7 +339,7 @@ std::vector<AirPart> airParts(SampledLayers layers)
                 parameter.set(part.effect, parameter.get(layers[layer]));
             }
         }
-        for (const Track& track : layers[layer].tracks() ? layers[layer].tracks()->all() : std::span<const Track>()) {
+        for (const Track& track : layers[layer].allTracks()) {
             if (track.parameter->dirties == DirtyStage::Air) {
                 part.tracks.set(track);
             }

@@ -2,19 +2,18 @@
 
 #include "core/simulation/simulation_model.h"
 
+#include "core/base/vector.h"
 #include "core/effect/known_parameter.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include <glm/geometric.hpp>
 
 namespace fumage {
 
 void SimulationModel::sumRates()
 {
     const auto sum = [&](const Parameter& row, const Schedule& schedule, std::optional<RateSum>& out) {
-        if (const Track* track = m_effect.tracks() ? m_effect.tracks()->find(row) : nullptr) {
+        if (const Track* track = m_effect.track(row)) {
             out.emplace(*track, schedule, m_effect->timeline);
         }
     };
@@ -50,7 +49,7 @@ Spawner SimulationModel::spawnerAt(std::int64_t step) const
     }
     const Emitter from = m_effect.atTime(before)->emitter;
     const auto jumps = [&](const Parameter& row) {
-        const Track* track = m_effect.tracks()->find(row);
+        const Track* track = m_effect.track(row);
         // At the end of a loop it is where it was at the beginning, or it jumps there.
         return track != nullptr && (now < before || track->jumpsIn(before, now));
     };
@@ -61,8 +60,7 @@ Spawner SimulationModel::spawnerAt(std::int64_t step) const
         coming.way = at.position - from.position;
         coming.velocity = at.inherit / m_schedule.dt * coming.way;
     }
-    constexpr float kAlmostOpposite = -0.99F;
-    if (!jumps(knownParameter("emitter.normal")) && glm::dot(at.normal, from.normal) > kAlmostOpposite) {
+    if (!jumps(knownParameter("emitter.normal")) && !areAlmostOpposite(at.normal, from.normal)) {
         coming.normalBefore = from.normal;
     }
     return Spawner(at, coming);

@@ -16,13 +16,10 @@ bool movesAlike(const SampledEffect& one, const SampledEffect& other)
     const auto isSame = [](const Track* track, const Track* same) {
         return track != nullptr && same != nullptr ? *track == *same : track == same;
     };
-    const auto trackOf = [](const SampledEffect& effect, const Parameter& row) {
-        return effect.tracks() ? effect.tracks()->find(row) : nullptr;
-    };
     const std::span<const Parameter> rows = parameterTable();
     return std::all_of(rows.begin(), rows.end(), [&](const Parameter& row) {
         return row.dirties < DirtyStage::Simulate
-            || (row.get(one) == row.get(other) && isSame(trackOf(one, row), trackOf(other, row)));
+            || (row.get(one) == row.get(other) && isSame(one.track(row), other.track(row)));
     });
 }
 

@@ -204,7 +204,7 @@ std::int64_t mostAlive(const Schedule& schedule)
 /// How many are born, where it is not all.
 void setRate(const SampledEffect& effect, Schedule& schedule)
 {
-    if (const Track* track = effect.tracks() ? effect.tracks()->find(kRate) : nullptr) {
+    if (const Track* track = effect.track(kRate)) {
         auto table = std::make_shared<BirthTable>(birthTable(*track, schedule, effect->timeline));
         schedule.birthsPerPeriod =
             schedule.loopSteps == 0 ? schedule.birthsPerPeriod : std::max<std::int64_t>(1, table->before.back());

@@ -5,6 +5,8 @@
 #include "core/export/export_option_table.h"
 #include "core/export/jobs/job_file.h"
 #include "core/export/manifest/recorded.h"
+#include "core/export/sheets/sheet_note.h"
+#include "core/export/shown.h"
 
 #include <set>
 
@@ -146,6 +148,24 @@ private slots:
                 QVERIFY2(option.text(again) == text, option.key.data());
                 QVERIFY(settingsOf(again) == settings);
             }
+        }
+    }
+
+    /// A sheet that is opened and made again is made with all that it was made with.
+    void picturesKeepEverySettingOfTheirSheet()
+    {
+        for (const ExportOption& option : exportOptions()) {
+            ExportPlan plan = planOf(ExportKind::Flipbook);
+            if (option.setting.empty() || !option.applies(plan)) {
+                continue;
+            }
+            const std::string text = otherText(option, plan);
+            QVERIFY(option.read(text, plan));
+            const std::optional<FlipbookOptions> sheet = readSheetNote(sheetNoteOf(flipbookOf(plan)));
+            QVERIFY2(sheet, option.key.data());
+            ExportPlan again;
+            takeSheet(*sheet, again);
+            QVERIFY2(option.text(again) == text, option.key.data());
         }
     }
 
