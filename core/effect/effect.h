@@ -88,6 +88,8 @@ struct Emitter {
     float velocityRandomness = 0.05F;
     float spread = 8.0F;
     float inherit = 0.0F;
+    float parentLifeFrom = 0.0F;
+    float parentLifeTo = 1.0F;
     bool subframe = true;
     std::uint32_t seed = 1;
     Bitmap picture;

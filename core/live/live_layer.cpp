@@ -181,7 +181,7 @@ void LiveLayer::findBirths(std::int64_t births)
     } else {
         const auto& [x, y, z] = parent.m_before;
         findBirthsOn({*parent.m_model, parent.particles(), x, y, z, parent.m_frame.step, parent.m_first, parent.m_next},
-            *m_model, m_next, m_next + births, m_on);
+            *m_model, effect()->emitter, m_next, m_next + births, m_on);
     }
     const ParticleRing ring(m_frame.particles);
     for (std::int64_t birth = 0; birth < births; ++birth) {

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace fumage {
 
@@ -16,17 +18,26 @@ namespace {
 /// The particles of a layer at one step that others may be born on.
 class Living {
 public:
-    explicit Living(const ParentParticles& parent)
+    /// @param emitter of those others, which says at which share of their lives
+    Living(const ParentParticles& parent, const Emitter& emitter)
         : m_parent(parent)
         , m_ring(parent.now)
         , m_count(static_cast<std::uint64_t>(parent.last - parent.first))
+        , m_isAnyAge(emitter.parentLifeFrom <= 0.0F && emitter.parentLifeTo >= 1.0F)
     {
+        if (!m_isAnyAge) {
+            collect(emitter);
+        }
     }
 
     /// One of them, all with the same chance; nothing where there is none. Of those whose lives differ some have died:
     /// where several draws in a row meet those, there is none.
     [[nodiscard]] std::optional<std::size_t> chosenBy(std::uint32_t key) const
     {
+        if (!m_isAnyAge) {
+            const std::uint64_t among = (streamBits(key, kParentStream) * std::uint64_t{m_ofAge.size()}) >> 32U;
+            return m_ofAge.empty() ? std::nullopt : std::optional(m_ofAge[among]);
+        }
         constexpr std::uint32_t kDraws = 8;
         for (std::uint32_t draw = 0; m_count > 0 && draw < kDraws; ++draw) {
             const std::uint64_t among = (streamBits(key, kParentStream + draw) * m_count) >> 32U;
@@ -39,29 +50,43 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isAlive(std::size_t slot) const
+    [[nodiscard]] bool isAlive(std::size_t slot) const { return cycleOf(slot).alive; }
+    [[nodiscard]] Lifecycle cycleOf(std::size_t slot) const
     {
-        return lifecycle(m_parent.model, m_parent.now, m_parent.step, slot).alive;
+        return lifecycle(m_parent.model, m_parent.now, m_parent.step, slot);
+    }
+    /// Looks at all: O(particles that may be alive).
+    void collect(const Emitter& emitter)
+    {
+        const auto [from, to] = std::minmax(emitter.parentLifeFrom, emitter.parentLifeTo);
+        for (std::uint64_t i = 0; i < m_count; ++i) {
+            const std::size_t slot = m_ring.slotOf(m_parent.first + static_cast<std::int64_t>(i));
+            const Lifecycle cycle = cycleOf(slot);
+            if (cycle.alive && cycle.life >= from && cycle.life <= to) {
+                m_ofAge.push_back(slot);
+            }
+        }
     }
 
     const ParentParticles& m_parent;
     ParticleRing m_ring;
     std::uint64_t m_count;
+    bool m_isAnyAge;
+    std::vector<std::size_t> m_ofAge; ///< their slots, in the order of their births; empty where any age will do
 };
 
 } // namespace
 
-void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, std::int64_t first, std::int64_t last,
-    std::vector<SubEmission>& out)
+void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, const Emitter& emitter,
+    std::int64_t first, std::int64_t last, std::vector<SubEmission>& out)
 {
     out.assign(static_cast<std::size_t>(last - first), {});
-    const Living living(parent);
+    const Living living(parent, emitter);
     const Particles& now = parent.now;
-    const Effect& effect = child.effect();
     const float dt = child.schedule().dt;
     for (std::int64_t birth = first; birth < last; ++birth) {
         const std::uint32_t key =
-            keyOf(effect.emitter.seed, static_cast<std::uint64_t>(child.schedule().randomIndex(birth)));
+            keyOf(emitter.seed, static_cast<std::uint64_t>(child.schedule().randomIndex(birth)));
         const std::optional<std::size_t> slot = living.chosenBy(key);
         if (!slot) {
             continue;
@@ -76,7 +101,7 @@ void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, s
             back = std::min(back, parent.model.schedule().betweenSteps ? unitFloat(now.key[*slot]) : 0.0F);
         }
         out[static_cast<std::size_t>(birth - first)] = {
-            here - back * way - effect.emitter.position, (effect.emitter.inherit / dt) * way, true};
+            here - back * way - child.effect()->emitter.position, (emitter.inherit / dt) * way, true};
     }
 }
 
@@ -118,9 +143,10 @@ Status SubEmitter::find(const SimulationModel& child, std::int64_t step, std::in
         return status;
     }
     const Schedule& schedule = parent.schedule();
+    std::optional<SampledEffect> room;
     findBirthsOn({parent, m_now, m_before.x, m_before.y, m_before.z, parentStep, schedule.firstAlive(parentStep),
                      schedule.birthsBefore(parentStep + 1)},
-        child, first, last, out);
+        child, child.effectAt(static_cast<double>(step), room)->emitter, first, last, out);
     return Done{};
 }
 

@@ -22,9 +22,11 @@ struct ParentParticles {
 
 /// Finds where births [first, last) of a layer are on its parent: each on one of the living, chosen by its own random
 /// bits, at the moment of its birth between two steps.
-/// @param out gets one a birth
-void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, std::int64_t first, std::int64_t last,
-    std::vector<SubEmission>& out);
+/// @param emitter of the layer at the step of the births
+/// @param out     gets one a birth
+/// O(births); where the parent's age matters, O(births + the parent's particles).
+void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, const Emitter& emitter,
+    std::int64_t first, std::int64_t last, std::vector<SubEmission>& out);
 
 /// Finds where particles are born that are born on those of another layer, see findBirthsOn(). Moves the parent beside
 /// its child.

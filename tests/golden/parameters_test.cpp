@@ -30,11 +30,16 @@ Effect inAirFor(const Parameter& p)
     return effect;
 }
 
+bool isAboutParents(const Parameter& p)
+{
+    return &p == &knownParameter("emitter.inherit") || p.key.starts_with("emitter.parent_");
+}
+
 /// The effect as the first layer of a scene: alone, or born on another where the parameter is about that.
 Scene sceneFor(const Parameter& p, const Effect& effect)
 {
     Scene scene = effect;
-    if (&p == &knownParameter("emitter.inherit")) {
+    if (isAboutParents(p)) {
         scene.layers.push_back(Scene(stageFor(p)).layers.front());
         scene.layers.back().name = "parent";
         scene.layers.front().from = "parent";

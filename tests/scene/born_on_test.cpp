@@ -1,5 +1,6 @@
 #include "tests/helpers.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/preset/preset_file.h"
 #include "core/scene/layer_assignment.h"
 #include "core/simulation/scene_simulator.h"
@@ -137,6 +138,71 @@ private slots:
         }
         QVERIFY(tests::livingCount(trail) > 100);
         QVERIFY(share == 1.0F || highest - lowest > 0.4F * kSpeed * now);
+    }
+
+    /// At a share of the rocket's life, and so at a height: y = v age where the trail stays where it was left.
+    void theParentsAgeDecides_data()
+    {
+        QTest::addColumn<float>("from");
+        QTest::addColumn<float>("to");
+        QTest::newRow("young") << 0.0F << 0.2F;
+        QTest::newRow("grown") << 0.25F << 0.5F;
+        QTest::newRow("at its death") << 0.9F << 1.0F;
+        QTest::newRow("the other way round") << 0.5F << 0.25F;
+    }
+    void theParentsAgeDecides()
+    {
+        QFETCH(float, from);
+        QFETCH(float, to);
+        constexpr float kLife = 0.5F; // s: it is over at frame 20
+        Scene scene = rocketWithTrail();
+        scene.layers[0].life.fadeRate = 1.0F / kLife;
+        scene.layers[1].emitter.parentLifeFrom = from;
+        scene.layers[1].emitter.parentLifeTo = to;
+        const SceneFrame frame = frameOf(scene, kFrame);
+        const Frame& trail = *frame.layers[1];
+        const auto [young, old] = std::minmax(from, to);
+        float lowest = 1e9F;
+        float highest = -1e9F;
+        for (std::size_t slot = 0; slot < trail.particles.capacity; ++slot) {
+            if (lifecycle(trail, slot).alive) {
+                lowest = std::min(lowest, trail.particles.y[slot]);
+                highest = std::max(highest, trail.particles.y[slot]);
+            }
+        }
+        QVERIFY(tests::livingCount(trail) > 20);
+        constexpr float kStep = kSpeed / 30.0F; // a rocket's way in a step
+        QVERIFY(lowest >= young * kLife * kSpeed - kStep && lowest <= young * kLife * kSpeed + kStep);
+        QVERIFY(highest <= old * kLife * kSpeed + kStep && highest >= old * kLife * kSpeed - kStep);
+    }
+
+    /// Each particle takes along what is set at its birth.
+    void whatIsTakenAlongHasKeyFrames()
+    {
+        constexpr const Parameter& kInherit = knownParameter("emitter.inherit");
+        constexpr float kShare = 0.8F;
+        constexpr double kSwitch = 0.34;
+        Scene scene = rocketWithTrail();
+        const Scene still = scene;
+        scene.layers[1].emitter.inherit = kShare;
+        const Scene moving = scene;
+        Track track{&kInherit, {}};
+        setKey(track, {0.0, 0.0F, Ease::Hold});
+        setKey(track, {kSwitch, kShare, Ease::Hold});
+        scene.tracksOf(kInherit, 1).set(track);
+        const SceneFrame mixed = frameOf(scene, kFrame);
+        const SceneFrame before = frameOf(still, kFrame);
+        const SceneFrame after = frameOf(moving, kFrame);
+        int changed = 0;
+        const Particles& all = mixed.layers[1]->particles;
+        for (std::size_t slot = 0; slot < all.capacity; ++slot) {
+            if (lifecycle(*mixed.layers[1], slot).alive) {
+                const bool isLate = all.birthStep[slot] >= static_cast<std::int32_t>(mixed.layers[1]->step) - 9;
+                QCOMPARE(all.y[slot], (isLate ? after : before).layers[1]->particles.y[slot]);
+                changed += isLate ? 1 : 0;
+            }
+        }
+        QVERIFY(changed > 100 && changed < tests::livingCount(*mixed.layers[1]));
     }
 
     void anyFrameAloneIsThatWhichIsPlayed_data()

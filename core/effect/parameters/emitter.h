@@ -175,6 +175,28 @@ inline constexpr std::array kRows<Emitter>{
                "along. 0: a trail that stays where it was left. 1: what goes on with them.",
         .animates = Animates::Birth,
     }),
+    row<&Emitter::parentLifeFrom>({
+        .key = "emitter.parent_life_from",
+        .since = 2,
+        .label = "Parent's life from",
+        .synonyms = "birth death dies end burst on death sub emitter age firework event",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "Of a layer whose particles are born on those of another: the share of a parent's life from which on "
+               "they are. 0.9: near its death, as the stars of a firework's shell.",
+        .varies = false,
+    }),
+    row<&Emitter::parentLifeTo>({
+        .key = "emitter.parent_life_to",
+        .since = 2,
+        .label = "Parent's life to",
+        .synonyms = "birth death dies end burst on birth sub emitter age firework event",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "Of a layer whose particles are born on those of another: the share of a parent's life up to which they "
+               "are. 0.1: while it is young.",
+        .varies = false,
+    }),
     row<&Emitter::mode>({
         .key = "emitter.mode",
         .label = "Emission",
