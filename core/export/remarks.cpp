@@ -3,6 +3,7 @@
 #include "core/export/engines/engine_remarks.h"
 #include "core/export/loop.h"
 #include "core/preset/preset_file.h"
+#include "core/scene/key_faults.h"
 
 #include <algorithm>
 #include <iterator>
@@ -47,18 +48,23 @@ void addVideo(const Scene& scene, const ExportPlan& plan, std::vector<Message>& 
     }
 }
 
-/// What key frames do that nobody may want: loops that they break, and those that come too late.
+Message said(KeyFault fault, std::string_view key)
+{
+    switch (fault) {
+    case KeyFault::OpenLoop: return makeMessage("%1 does not end as it begins, so the loop jumps there", key);
+    case KeyFault::AfterEnd: return makeMessage("%1 has key frames after the end of the timeline", key);
+    case KeyFault::RateJumps: break;
+    }
+    return makeMessage("%1 changes at once at a held key frame, so what it drives changes its pace with a jerk", key);
+}
+
+/// What key frames do that nobody may want.
 void addTracks(const Scene& scene, std::vector<Message>& remarks)
 {
-    const double length = static_cast<double>(scene.timeline.length) / scene.timeline.frameRate;
     const auto look = [&](const Tracks& tracks) {
         for (const Track& track : tracks.all()) {
-            const std::string_view key = track.parameter->key;
-            if (scene.timeline.loop && track.at(0.0) != track.at(length)) {
-                remarks.push_back(makeMessage("%1 does not end as it begins, so the loop jumps there", key));
-            }
-            if (track.keys.back().seconds > length) {
-                remarks.push_back(makeMessage("%1 has key frames after the end of the timeline", key));
+            for (const KeyFault fault : keyFaults(track, scene.timeline)) {
+                remarks.push_back(said(fault, track.parameter->key));
             }
         }
     };

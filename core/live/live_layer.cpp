@@ -179,9 +179,10 @@ void LiveLayer::findBirths(std::int64_t births)
     if (parent.m_frame.step < 0) {
         m_on.assign(static_cast<std::size_t>(births), {});
     } else {
+        m_ofAge.reserve(parent.particles().capacity);
         const auto& [x, y, z] = parent.m_before;
         findBirthsOn({*parent.m_model, parent.particles(), x, y, z, parent.m_frame.step, parent.m_first, parent.m_next},
-            *m_model, effect()->emitter, m_next, m_next + births, m_on);
+            *m_model, effect()->emitter, m_next, m_next + births, m_on, m_ofAge);
     }
     const ParticleRing ring(m_frame.particles);
     for (std::int64_t birth = 0; birth < births; ++birth) {

@@ -122,6 +122,7 @@ private:
     bool m_isParent = false;
     std::array<AlignedArray<float>, 3> m_before; ///< of a parent: places a step before
     std::vector<SubEmission> m_on; ///< of the births of a step, where there is a parent
+    std::vector<std::size_t> m_ofAge; ///< of the parent: those of an age at which others are born on them
     std::vector<std::int32_t> m_birthSteps; ///< of a slot, where there is a parent: also of those that were not born
     std::int64_t m_absent = 0; ///< births from m_first on that had nothing to be born on
 

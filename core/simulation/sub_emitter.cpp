@@ -19,11 +19,13 @@ namespace {
 class Living {
 public:
     /// @param emitter of those others, which says at which share of their lives
-    Living(const ParentParticles& parent, const Emitter& emitter)
+    /// @param ofAge   room for their slots
+    Living(const ParentParticles& parent, const Emitter& emitter, std::vector<std::size_t>& ofAge)
         : m_parent(parent)
         , m_ring(parent.now)
         , m_count(static_cast<std::uint64_t>(parent.last - parent.first))
         , m_isAnyAge(emitter.parentLifeFrom <= 0.0F && emitter.parentLifeTo >= 1.0F)
+        , m_ofAge(ofAge)
     {
         if (!m_isAnyAge) {
             collect(emitter);
@@ -58,6 +60,7 @@ private:
     /// Looks at all: O(particles that may be alive).
     void collect(const Emitter& emitter)
     {
+        m_ofAge.clear();
         const auto [from, to] = std::minmax(emitter.parentLifeFrom, emitter.parentLifeTo);
         for (std::uint64_t i = 0; i < m_count; ++i) {
             const std::size_t slot = m_ring.slotOf(m_parent.first + static_cast<std::int64_t>(i));
@@ -72,16 +75,16 @@ private:
     ParticleRing m_ring;
     std::uint64_t m_count;
     bool m_isAnyAge;
-    std::vector<std::size_t> m_ofAge; ///< their slots, in the order of their births; empty where any age will do
+    std::vector<std::size_t>& m_ofAge; ///< their slots, in the order of their births, where not any age will do
 };
 
 } // namespace
 
 void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, const Emitter& emitter,
-    std::int64_t first, std::int64_t last, std::vector<SubEmission>& out)
+    std::int64_t first, std::int64_t last, std::vector<SubEmission>& out, std::vector<std::size_t>& ofAge)
 {
     out.assign(static_cast<std::size_t>(last - first), {});
-    const Living living(parent, emitter);
+    const Living living(parent, emitter, ofAge);
     const Particles& now = parent.now;
     const float dt = child.schedule().dt;
     for (std::int64_t birth = first; birth < last; ++birth) {
@@ -146,7 +149,7 @@ Status SubEmitter::find(const SimulationModel& child, std::int64_t step, std::in
     std::optional<SampledEffect> room;
     findBirthsOn({parent, m_now, m_before.x, m_before.y, m_before.z, parentStep, schedule.firstAlive(parentStep),
                      schedule.birthsBefore(parentStep + 1)},
-        child, child.effectAt(static_cast<double>(step), room)->emitter, first, last, out);
+        child, child.effectAt(static_cast<double>(step), room)->emitter, first, last, out, m_ofAge);
     return Done{};
 }
 

@@ -24,9 +24,10 @@ struct ParentParticles {
 /// bits, at the moment of its birth between two steps.
 /// @param emitter of the layer at the step of the births
 /// @param out     gets one a birth
+/// @param ofAge   room for the parent's slots, kept from one call to the next
 /// O(births); where the parent's age matters, O(births + the parent's particles).
 void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, const Emitter& emitter,
-    std::int64_t first, std::int64_t last, std::vector<SubEmission>& out);
+    std::int64_t first, std::int64_t last, std::vector<SubEmission>& out, std::vector<std::size_t>& ofAge);
 
 /// Finds where particles are born that are born on those of another layer, see findBirthsOn(). Moves the parent beside
 /// its child.
@@ -47,6 +48,7 @@ private:
     std::unique_ptr<SubEmitter> m_subEmitter; ///< of the parent's own births, where it is born on yet another layer
     Particles m_before; ///< the parent's, a step before
     Particles m_now;
+    std::vector<std::size_t> m_ofAge; ///< see findBirthsOn()
     std::int64_t m_step = kNowhere; ///< of m_now
 
     static constexpr std::int64_t kNowhere = -1;

@@ -8,12 +8,14 @@
 #include "ui/panels/key_mark.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/timeline/key_clipboard.h"
+#include "ui/timeline/key_mends.h"
 #include "ui/timeline/timeline_bar.h"
 
 #include "core/effect/known_parameter.h"
 
 #include <QClipboard>
 #include <QLayout>
+#include <QMenu>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -238,6 +240,30 @@ private slots:
         QVERIFY(m_document->track(knownParameter("camera.distance")) == nullptr);
         QCOMPARE(m_document->effect().camera.distance, turned.distance);
         QCOMPARE(m_document->effect().camera.yaw, turned.yaw);
+    }
+
+    void faultsAreShownInTheirLaneAndMendedByItsMenu()
+    {
+        const Timeline timeline = m_document->scene().timeline;
+        const double length = static_cast<double>(timeline.length) / timeline.frameRate;
+        const Track late = trackOf(kRate, {{0.0, 0.0F}, {2.0 * length, 1.0F}});
+        QVERIFY(keyFaultsTold(trackOf(kRate, {{0.0, 0.0F}, {0.5 * length, 0.0F}}), timeline).isEmpty());
+        QVERIFY(keyFaultsTold(late, timeline).contains(QLatin1String("after the end")));
+        setTracks({late});
+        QMenu menu;
+        addKeyMends(menu, *m_document, *m_document->track(kRate));
+        const int steps = m_document->undoStack()->count();
+        for (QAction* action : menu.actions()) {
+            action->trigger();
+        }
+        QVERIFY(keyFaults(*m_document->track(kRate), timeline).empty());
+        QVERIFY(m_document->undoStack()->count() > steps);
+        m_document->undoStack()->setIndex(steps);
+        QVERIFY(*m_document->track(kRate) == late);
+        // All at once, in one step.
+        mendKeys(*m_document);
+        QVERIFY(!hasKeyFaults(m_document->scene()));
+        QCOMPARE(m_document->undoStack()->count(), steps + 1);
     }
 
     void lanesTakeNoRoomWhereNothingChanges()

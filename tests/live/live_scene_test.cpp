@@ -177,6 +177,7 @@ private slots:
     {
         Scene scene = torch();
         scene.layers[2].emitter.length = 0.0F;
+        scene.layers[3].emitter.parentLifeTo = 0.9F;
         LiveScene live = startedScene(scene);
         [[maybe_unused]] constexpr int kSettled = 60;
         for (int step = 0; step < 300; ++step) {

@@ -155,6 +155,19 @@ void setExtrapolation(Document& document, const Parameter& parameter, Extrapolat
     }
 }
 
+void mendKeys(Document& document, const Parameter& parameter, KeyFault fault)
+{
+    if (const Track* track = document.track(parameter)) {
+        replaceTracks(document, {withoutFault(*track, fault, document.scene().timeline)},
+            KeyEdits::tr("Mend key frames of %1").arg(fullLabelOf(parameter)));
+    }
+}
+
+void mendKeys(Document& document)
+{
+    document.replaceScene(withoutKeyFaults(document.scene()), document.selection(), KeyEdits::tr("Mend key frames"));
+}
+
 std::vector<double> keyTimes(const Document& document)
 {
     std::vector<double> times;

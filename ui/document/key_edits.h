@@ -2,6 +2,8 @@
 
 #include "ui/document/document.h"
 
+#include "core/scene/key_faults.h"
+
 #include <vector>
 
 namespace fumage::ui {
@@ -44,6 +46,11 @@ void removeKeys(Document& document, const std::vector<KeyPlace>& keys);
 void setEase(Document& document, const std::vector<KeyPlace>& keys, Ease ease);
 /// Sets what holds before and after the key frames of a parameter.
 void setExtrapolation(Document& document, const Parameter& parameter, Extrapolation before, Extrapolation after);
+
+/// Mends what key frames of one parameter do that nobody may want; see withoutFault().
+void mendKeys(Document& document, const Parameter& parameter, KeyFault fault);
+/// The same of all parameters of all visible layers that are not locked.
+void mendKeys(Document& document);
 
 /// Times of all key frames of the layer that is edited and of what all layers share, in order, each once.
 [[nodiscard]] std::vector<double> keyTimes(const Document& document);

@@ -50,7 +50,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_preview(new PreviewPane(this))
     , m_pictures(new PictureChoices(this))
     , m_output(new OutputRows(document, locks, this))
-    , m_summary(new SummaryRow(this))
+    , m_summary(new SummaryRow(document, this))
     , m_progress(new ExportProgress(queue, this))
     , m_export(new QPushButton(tr("Export"), this))
     , m_cancel(new QPushButton(tr("Cancel"), this))

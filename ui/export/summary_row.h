@@ -9,12 +9,13 @@ class QPushButton;
 
 namespace fumage::ui {
 
-/// Says what a plan writes, or what stands in its way, with a button for the way out where there is one.
+/// Says what a plan writes, or what stands in its way, with buttons for the ways out where there are any.
 class SummaryRow : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SummaryRow(QWidget* parent);
+    /// @param document whose key frames may be mended
+    SummaryRow(Document& document, QWidget* parent);
 
     /// @param solo whether the viewport shows some of the layers alone
     void follow(const ExportPlan& plan, const Scene& scene, bool solo);
@@ -27,6 +28,7 @@ private:
     QLabel* m_files;
     QLabel* m_solo; ///< says what is exported while the viewport shows less
     QPushButton* m_offer;
+    QPushButton* m_mendKeys;
     std::optional<ExportOffer> m_offered;
 };
 

@@ -3,16 +3,19 @@
 #include "ui/document/parameter_text.h"
 #include "ui/timeline/ease_icon.h"
 #include "ui/timeline/key_clipboard.h"
+#include "ui/timeline/key_mends.h"
 #include "ui/timeline/timeline_ruler.h"
 #include "ui/widgets/diamond.h"
 #include "ui/widgets/field_keys.h"
 #include "ui/widgets/gesture.h"
+#include "ui/widgets/plain_text.h"
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <array>
@@ -240,6 +243,13 @@ bool KeyLanes::event(QEvent* event)
         event->accept();
         return true;
     }
+    if (event->type() == QEvent::ToolTip) {
+        const auto& help = *static_cast<QHelpEvent*>(event);
+        const Track* track = trackAt(help.pos().y());
+        QString tip = track != nullptr ? keyFaultsTold(*track, m_document.scene().timeline) : QString();
+        QToolTip::showText(help.globalPos(), plainToolTip(tip + toolTip()), this);
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
         if (key.key() == Qt::Key_Delete || key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Paste)
@@ -308,6 +318,7 @@ void KeyLanes::contextMenuEvent(QContextMenuEvent* event)
     addEaseMenu(menu);
     if (const Track* track = trackAt(event->pos().y())) {
         addOutsideMenu(menu, *track);
+        addKeyMends(menu, m_document, *track);
     }
     menu.addAction(tr("Copy"), this, [this] { copyKeys(m_document, m_selected); })->setEnabled(!m_selected.empty());
     menu.addAction(tr("Paste at the time that is shown"), this, [this] { m_selected = pasteKeys(m_document); })
@@ -342,11 +353,13 @@ void KeyLanes::paintLane(QPainter& painter, const Track& track, double top) cons
         painter.setPen(QPen(curve, 1.2));
         painter.drawPolyline(line);
     }
+    const QString faults = keyFaultsTold(track, m_document.scene().timeline);
     QColor text = palette().text().color();
     text.setAlpha(170);
     painter.setPen(text);
     painter.drawText(QRectF(m_ruler.xOf(0.0) + 2.0 * kRadius, top, width(), kLaneHeight - 1.0),
-        Qt::AlignLeft | Qt::AlignVCenter, fullLabelOf(parameter));
+        Qt::AlignLeft | Qt::AlignVCenter,
+        (faults.isEmpty() ? QString() : QStringLiteral("⚠ ")) + fullLabelOf(parameter));
     for (const KeyFrame& key : track.keys) {
         const bool chosen = isSelected({&parameter, key.seconds});
         paintDiamond(painter, placeOf({&parameter, key.seconds}), kRadius,

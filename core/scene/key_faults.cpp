@@ -1,0 +1,119 @@
+#include "core/scene/key_faults.h"
+
+#include "core/effect/known_parameter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+namespace {
+
+double lengthOf(const Timeline& timeline)
+{
+    return static_cast<double>(timeline.length) / timeline.frameRate;
+}
+
+bool isOpen(const Track& track, const Timeline& timeline)
+{
+    return timeline.loop && track.at(0.0) != track.at(lengthOf(timeline));
+}
+
+bool jumps(const Track& track)
+{
+    return track.parameter->animates == Animates::Rate && track.parameter != &knownParameter("emitter.rate")
+        && track.jumpsIn(track.keys.front().seconds, track.keys.back().seconds);
+}
+
+Track closed(Track track, const Timeline& timeline)
+{
+    const double end = lengthOf(timeline);
+    const Value begin = track.at(0.0);
+    track.before = track.after = Extrapolation::Hold;
+    std::erase_if(track.keys, [&](const KeyFrame& key) { return key.seconds >= end; });
+    setKeyValue(track, 0.0, begin);
+    setKeyValue(track, end, begin);
+    return track;
+}
+
+Track movedIn(const Track& track, const Timeline& timeline)
+{
+    const double factor = lengthOf(timeline) / track.keys.back().seconds;
+    Track moved{track.parameter, {}, track.before, track.after};
+    for (KeyFrame key : track.keys) {
+        key.seconds = std::round(key.seconds * factor * timeline.frameRate) / timeline.frameRate;
+        key.slopeIn /= static_cast<float>(factor);
+        key.slopeOut /= static_cast<float>(factor);
+        setKey(moved, key);
+    }
+    return moved;
+}
+
+Track smoothed(Track track)
+{
+    for (KeyFrame& key : track.keys) {
+        key.ease = key.ease == Ease::Hold ? Ease::Auto : key.ease;
+    }
+    return track;
+}
+
+} // namespace
+
+std::vector<KeyFault> keyFaults(const Track& track, const Timeline& timeline)
+{
+    std::vector<KeyFault> faults;
+    // What is moved into the timeline may close, or open, a loop: it comes first.
+    if (track.keys.back().seconds > lengthOf(timeline)) {
+        faults.push_back(KeyFault::AfterEnd);
+    }
+    if (isOpen(track, timeline)) {
+        faults.push_back(KeyFault::OpenLoop);
+    }
+    if (jumps(track)) {
+        faults.push_back(KeyFault::RateJumps);
+    }
+    return faults;
+}
+
+Track withoutFault(const Track& track, KeyFault fault, const Timeline& timeline)
+{
+    switch (fault) {
+    case KeyFault::OpenLoop: return isOpen(track, timeline) ? closed(track, timeline) : track;
+    case KeyFault::AfterEnd: return track.keys.back().seconds > lengthOf(timeline) ? movedIn(track, timeline) : track;
+    case KeyFault::RateJumps: break;
+    }
+    return jumps(track) ? smoothed(track) : track;
+}
+
+bool hasKeyFaults(const Scene& scene)
+{
+    const auto isFaulty = [&](const Tracks& tracks) {
+        return std::ranges::any_of(
+            tracks.all(), [&](const Track& track) { return !keyFaults(track, scene.timeline).empty(); });
+    };
+    return isFaulty(scene.tracks) || std::ranges::any_of(scene.layers, [&](const Layer& layer) {
+        return layer.visible && !layer.locked && isFaulty(layer.tracks);
+    });
+}
+
+Scene withoutKeyFaults(const Scene& scene)
+{
+    Scene mended = scene;
+    const auto mend = [&](Tracks& tracks) {
+        for (Track track : std::vector<Track>(tracks.all().begin(), tracks.all().end())) {
+            for (const KeyFault fault : {KeyFault::AfterEnd, KeyFault::OpenLoop, KeyFault::RateJumps}) {
+                track = withoutFault(track, fault, scene.timeline);
+            }
+            tracks.set(track);
+        }
+    };
+    mend(mended.tracks);
+    for (Layer& layer : mended.layers) {
+        if (layer.visible && !layer.locked) {
+            mend(layer.tracks);
+        }
+    }
+    return mended;
+}
+
+} // namespace fumage
