@@ -1,10 +1,13 @@
 #include "app/cli/command.h"
 
+#include "core/system/file.h"
 #include "core/system/path.h"
 #include "core/base/text.h"
+#include "core/effect/assignment.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"
 #include "core/scene/key_assignment.h"
+#include "core/scene/key_table.h"
 #include "core/scene/layer_assignment.h"
 #include "core/effect/value.h"
 #include "core/preset/picture_file.h"
@@ -62,6 +65,40 @@ Status applyAll(const std::string& option, const std::vector<std::string>& texts
     return Done{};
 }
 
+/// animateScene(), where "key=@file.csv" stands for the key frames of a table.
+Result<bool> animate(Scene& scene, std::string_view text)
+{
+    const std::size_t at = text.find("=@");
+    if (at == std::string_view::npos) {
+        return animateScene(scene, text);
+    }
+    const std::string_view key = trimmed(text.substr(0, at));
+    const std::string_view name = key.substr(key.rfind('/') + 1);
+    const Parameter* parameter = findParameter(name);
+    if (parameter == nullptr) {
+        return noParameter(name);
+    }
+    constexpr std::size_t kMaxTableBytes = std::size_t{4} << 20U;
+    const std::string file(text.substr(at + 2));
+    const Result<std::string> table = readFile(pathFrom(file), kMaxTableBytes);
+    if (!table) {
+        return table.error();
+    }
+    const Result<Track> track = parseKeyTable(*parameter, table.value(), scene.timeline.frameRate);
+    if (!track) {
+        Error error = track.error();
+        error.place =
+            error.place.empty() ? Message(printable(file)) : makeMessage("%1, %2", printable(file), error.place);
+        return error;
+    }
+    std::string keys = std::string(key) + "=";
+    for (const KeyFrame& each : track.value().keys) {
+        keys += formatDouble(each.seconds) + ":" + formatText(*parameter, each.value) + ";";
+    }
+    keys.pop_back();
+    return animateScene(scene, keys);
+}
+
 Result<NamedPreset> load(const std::string& preset, const EffectOptions& options)
 {
     const Result<PresetReading> reading = readPreset(preset);
@@ -81,7 +118,7 @@ Result<NamedPreset> load(const std::string& preset, const EffectOptions& options
     if (Status status = applyAll("--set ", options.assignments, &setInScene, scene); !status) {
         return status.error();
     }
-    if (Status status = applyAll("--animate ", options.animations, &animateScene, scene); !status) {
+    if (Status status = applyAll("--animate ", options.animations, &animate, scene); !status) {
         return status.error();
     }
     for (const std::string& assignment : options.assignments) {
@@ -165,7 +202,8 @@ void EffectOptions::addTo(CLI::App& command)
     command
         .add_option("--animate", animations,
             "Let a parameter change over time: --animate \"emitter.rate=1:0; 2:1\", seconds and value of each key "
-            "frame, and its ease (auto, linear, hold); after=loop repeats them; may be repeated")
+            "frame, and its ease (auto, linear, hold); after=loop repeats them; @FILE.csv reads seconds and "
+            "values from a table; may be repeated")
         ->type_name("KEY=KEYFRAMES")
         ->take_all()
         ->allow_extra_args(false)

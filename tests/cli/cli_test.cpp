@@ -19,6 +19,30 @@ class CliTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What a table says is what is said.
+    void keyFramesAreReadFromATable()
+    {
+        const QTemporaryDir folder;
+        const auto write = [&](const char* name, const QByteArray& bytes) {
+            QFile file(folder.filePath(QString::fromLatin1(name)));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        };
+        write("way.csv", "seconds,x,y,z\n0,0,0,0\n0.5,1,0.5,0\n");
+        write("bad.csv", "seconds,x,y,z\n0,0,0\n");
+        const auto dump = [&](const QString& keys) {
+            return run(QStringList{"dump", "default", "-f", "12", "--animate", "emitter.position=" + keys, "-o", "-"}
+                + kSmall);
+        };
+        const Outcome said = dump("0:0,0,0;0.5:1,0.5,0");
+        const Outcome read = dump("@" + folder.filePath("way.csv"));
+        QVERIFY2(read.code == 0 && said.code == 0, read.error.constData());
+        QCOMPARE(read.out, said.out);
+        const Outcome bad = dump("@" + folder.filePath("bad.csv"));
+        QVERIFY2(bad.code == 3 && bad.error.contains("line 2"), bad.error.constData());
+        const Outcome missing = dump("@" + folder.filePath("nothing.csv"));
+        QVERIFY2(missing.code == 1 && missing.error.contains("nothing.csv"), missing.error.constData());
+    }
+
     void helpNamesEveryCommand()
     {
         const Outcome help = run({"--help"});

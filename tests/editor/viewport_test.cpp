@@ -1,10 +1,15 @@
 // Cameras and gizmos: what needs no window.
 #include "editor_helpers.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/preview/picture.h"
+#include "ui/viewport/animation_overlay.h"
 #include "ui/viewport/gizmo_painter.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/overlays.h"
+#include "ui/viewport/viewport_input.h"
+
+#include "core/effect/known_parameter.h"
 
 #include <glm/geometric.hpp>
 
@@ -254,6 +259,43 @@ private slots:
                 onScreen(view, gizmoOf(effect, view, GizmoId::EmitterNormal).to) + QPointF(31, 9), true));
         const float pitch = std::asin(turned.emitter.normal.y) * 57.29578F;
         QVERIFY(qAbs(std::remainder(pitch, 15.0F)) < 0.01F);
+    }
+
+    /// The dot goes where the mouse goes, in one undo step; the other keys of the way stay.
+    void aKeyOfTheWayIsDraggedByItsDot()
+    {
+        const Parameter& position = knownParameter("emitter.position");
+        const Track way{&position, {{0.5, glm::vec3(-0.6F, 0.2F, 0.0F)}, {1.5, glm::vec3(0.7F, 1.0F, 0.3F)}}};
+        Document document;
+        replaceTracks(document, {way}, QStringLiteral("Set"));
+        SplitView split;
+        QWidget surface;
+        surface.resize(800, 600);
+        const auto view = [&] { return windowView(document.scene(), 0, 800, 600); };
+        const ViewportInput input(document, split, surface, view);
+        const QPoint from = onScreen(view(), std::get<glm::vec3>(way.keys[1].value)).toPoint();
+        QCOMPARE(wayKeyAt(way, view(), from), std::optional(1.5));
+        QVERIFY(!wayKeyAt(way, view(), from + QPoint(30, 0)));
+        const int steps = document.undoStack()->count();
+        dragMouse(surface, from, from + QPoint(40, -25));
+        const Track moved = *document.track(position);
+        QCOMPARE(moved.keys.size(), std::size_t{2});
+        QVERIFY(moved.keys[0] == way.keys[0]);
+        QCOMPARE(moved.keys[1].seconds, 1.5);
+        const QPointF now = onScreen(view(), std::get<glm::vec3>(moved.keys[1].value));
+        QVERIFY2(QLineF(now, from + QPoint(40, -25)).length() < 1.0, qPrintable(QString::number(now.x())));
+        QCOMPARE(document.undoStack()->count(), steps + 1);
+        document.undoStack()->undo();
+        QVERIFY(*document.track(position) == way);
+        // Escape in a drag.
+        QTest::mousePress(&surface, Qt::LeftButton, {}, from);
+        QMouseEvent away(QEvent::MouseMove, from + QPoint(9, 9), surface.mapToGlobal(from), Qt::NoButton,
+            Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&surface, &away);
+        QVERIFY(!(*document.track(position) == way));
+        DragCancel cancel;
+        QApplication::sendEvent(&surface, &cancel);
+        QVERIFY(*document.track(position) == way);
     }
 
 private:

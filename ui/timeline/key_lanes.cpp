@@ -4,6 +4,7 @@
 #include "ui/timeline/ease_icon.h"
 #include "ui/timeline/key_clipboard.h"
 #include "ui/timeline/key_mends.h"
+#include "ui/timeline/key_table_menu.h"
 #include "ui/timeline/timeline_ruler.h"
 #include "ui/widgets/diamond.h"
 #include "ui/widgets/field_keys.h"
@@ -319,6 +320,7 @@ void KeyLanes::contextMenuEvent(QContextMenuEvent* event)
     if (const Track* track = trackAt(event->pos().y())) {
         addOutsideMenu(menu, *track);
         addKeyMends(menu, m_document, *track);
+        addKeyTable(menu, m_document, *track, askInDialog, this);
     }
     menu.addAction(tr("Copy"), this, [this] { copyKeys(m_document, m_selected); })->setEnabled(!m_selected.empty());
     menu.addAction(tr("Paste at the time that is shown"), this, [this] { m_selected = pasteKeys(m_document); })

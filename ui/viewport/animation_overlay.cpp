@@ -2,6 +2,7 @@
 
 #include "ui/viewport/overlays.h"
 
+#include <QLineF>
 #include <QPainter>
 
 #include <algorithm>
@@ -39,6 +40,22 @@ void paintEmitterWay(QPainter& painter, const Track& way, const Timeline& timeli
         dotAt(key.seconds, 4.0);
     }
     painter.setBrush(Qt::NoBrush);
+}
+
+std::optional<double> wayKeyAt(const Track& way, const View& view, QPointF mouse)
+{
+    constexpr double kReach = 8.0; // pixels
+    std::optional<double> found;
+    double nearest = kReach;
+    for (const KeyFrame& key : way.keys) {
+        const Projected at = project(view, std::get<glm::vec3>(key.value));
+        const double away = QLineF(mouse, QPointF(static_cast<double>(at.x), static_cast<double>(at.y))).length();
+        if (at.depth > 0.0F && away < nearest) {
+            nearest = away;
+            found = key.seconds;
+        }
+    }
+    return found;
 }
 
 void paintAutoKey(QPainter& painter, const QRect& window, const QString& text)

@@ -86,15 +86,6 @@ glm::vec3 directionOnBall(
     return glm::normalize(nearest + ray * (away ? half : -half));
 }
 
-/// Where the mouse meets the plane through a place that faces the camera.
-glm::vec3 placeAt(const View& view, const glm::vec3& before, QPointF mouse, bool snap)
-{
-    const glm::vec3 ray = rayThrough(view, mouse);
-    const float depth = project(view, before).depth;
-    const glm::vec3 place = view.eye + ray * (depth / glm::dot(ray, view.forward));
-    return snap ? glm::round(place / kSnapMetres) * kSnapMetres : place;
-}
-
 /// Where an obstacle's size is grasped: a corner of a box, the side of a ball.
 glm::vec3 obstacleCorner(const Air& air, const View& view)
 {
@@ -104,7 +95,7 @@ glm::vec3 obstacleCorner(const Air& air, const View& view)
 
 std::vector<Assignment> dragObstacleSize(const Air& air, const View& view, QPointF mouse, bool snap)
 {
-    const glm::vec3 away = placeAt(view, obstacleCorner(air, view), mouse, snap) - air.obstaclePosition;
+    const glm::vec3 away = placeFacing(view, obstacleCorner(air, view), mouse, snap) - air.obstaclePosition;
     constexpr float kMin = 0.02F; // m
     const glm::vec3 size =
         air.obstacle == Obstacle::Sphere ? glm::vec3(2.0F * glm::length(away)) : 2.0F * glm::abs(away);
@@ -129,7 +120,7 @@ glm::vec3 airLowCorner(const Effect& effect)
 
 std::vector<Assignment> dragAirSize(const Effect& effect, const View& view, QPointF mouse, bool snap)
 {
-    const glm::vec3 away = placeAt(view, airCorner(effect), mouse, snap) - airFoot(effect);
+    const glm::vec3 away = placeFacing(view, airCorner(effect), mouse, snap) - airFoot(effect);
     constexpr float kMin = 0.1F; // m
     return {{&knownParameter("air.size"), glm::max(glm::abs(away) * glm::vec3(2.0F, 1.0F, 2.0F), kMin)}};
 }
@@ -210,6 +201,14 @@ void addAirGizmos(const Effect& effect, const View& view, std::vector<Gizmo>& gi
 
 } // namespace
 
+glm::vec3 placeFacing(const View& view, const glm::vec3& before, QPointF mouse, bool snap)
+{
+    const glm::vec3 ray = rayThrough(view, mouse);
+    const float depth = project(view, before).depth;
+    const glm::vec3 place = view.eye + ray * (depth / glm::dot(ray, view.forward));
+    return snap ? glm::round(place / kSnapMetres) * kSnapMetres : place;
+}
+
 std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
 {
     const glm::vec3 emitter = effect.emitter.position;
@@ -263,7 +262,8 @@ std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& 
         return snap ? snapDirection(direction) : direction;
     };
     switch (id) {
-    case GizmoId::EmitterPosition: return {{&knownParameter("emitter.position"), placeAt(view, emitter, mouse, snap)}};
+    case GizmoId::EmitterPosition:
+        return {{&knownParameter("emitter.position"), placeFacing(view, emitter, mouse, snap)}};
     case GizmoId::EmitterNormal:
         return {{&knownParameter("emitter.normal"),
             onBall(emitter, metres(view, emitter, kNormalPixels), effect.emitter.normal)}};
@@ -276,15 +276,17 @@ std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& 
         return {{&knownParameter("light.direction"),
             -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
     case GizmoId::Obstacle:
-        return {{&knownParameter("air.obstacle_position"), placeAt(view, effect.air.obstaclePosition, mouse, snap)}};
+        return {
+            {&knownParameter("air.obstacle_position"), placeFacing(view, effect.air.obstaclePosition, mouse, snap)}};
     case GizmoId::ObstacleSize: return dragObstacleSize(effect.air, view, mouse, snap);
     case GizmoId::AirPlace:
         return {{&knownParameter("air.offset"),
-            effect.air.offset + placeAt(view, airLowCorner(effect), mouse, snap) - airLowCorner(effect)}};
+            effect.air.offset + placeFacing(view, airLowCorner(effect), mouse, snap) - airLowCorner(effect)}};
     case GizmoId::AirSize: return dragAirSize(effect, view, mouse, snap);
     }
     return {};
 }
+
 bool isOfAir(GizmoId id)
 {
     return id == GizmoId::AirPlace || id == GizmoId::AirSize;

@@ -48,6 +48,10 @@ struct Gizmo {
 [[nodiscard]] std::vector<Assignment> dragGizmo(
     GizmoId id, const Effect& effect, const View& view, QPointF mouse, bool snap);
 
+/// Where the mouse meets the plane through a place that faces the camera.
+/// @param snap to 0.1 m
+[[nodiscard]] glm::vec3 placeFacing(const View& view, const glm::vec3& before, QPointF mouse, bool snap);
+
 /// Whether a handle is one of the box of the air.
 [[nodiscard]] bool isOfAir(GizmoId id);
 

@@ -1,7 +1,10 @@
 #include "ui/viewport/viewport_input.h"
 
+#include "ui/document/key_edits.h"
+#include "ui/viewport/animation_overlay.h"
 #include "ui/widgets/input_guard.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
 
 #include <QContextMenuEvent>
@@ -83,6 +86,11 @@ std::optional<ViewportInput::Grip> ViewportInput::gripFor(const QMouseEvent& eve
             if (const std::optional<GizmoId> gizmo = gizmoAt(m_document.effect(), m_view(), event.position())) {
                 return *gizmo;
             }
+            const Track* seen = way();
+            if (const std::optional<double> key =
+                    seen != nullptr ? wayKeyAt(*seen, m_view(), event.position()) : std::nullopt) {
+                return WayKey{*key};
+            }
         }
     }
     if (const std::optional<CameraMove> move = cameraMoveFor(m_style, event.button(), event.modifiers())) {
@@ -101,7 +109,11 @@ void ViewportInput::press(const QMouseEvent& event)
         return; // a second button
     }
     if (const std::optional<Grip> grip = gripFor(event)) {
-        m_drag = Drag{*grip, event.button(), EndlessWay(), m_document.effect(), m_view(), m_document.beginGesture()};
+        m_drag =
+            Drag{*grip, event.button(), EndlessWay(), m_document.effect(), {}, m_view(), m_document.beginGesture()};
+        if (const Track* before = way()) {
+            m_drag->emitterWay = {*before};
+        }
         m_drag->isClick = event.button() == Qt::LeftButton && std::holds_alternative<CameraMove>(*grip);
         m_drag->way.begin(event);
     }
@@ -129,7 +141,9 @@ void ViewportInput::takeBack()
     for (const Parameter* parameter : differences(m_drag->before, m_document.effect())) {
         assignments.push_back({parameter, parameter->get(m_drag->before)});
     }
-    if (!assignments.empty()) {
+    if (std::holds_alternative<WayKey>(m_drag->grip)) {
+        replaceTracks(m_document, m_drag->emitterWay, {}, m_drag->gesture);
+    } else if (!assignments.empty()) {
         m_document.edit(assignments, {}, m_drag->gesture);
     }
     m_drag.reset();
@@ -142,6 +156,9 @@ void ViewportInput::move(const QMouseEvent& event)
         std::visit([&](auto grip) { drag(grip, event); }, m_drag->grip);
     } else {
         setHot(m_gizmos ? gizmoAt(m_document.effect(), m_view(), event.position()) : std::nullopt);
+        const Track* seen = m_gizmos && !m_hot ? way() : nullptr;
+        const bool isOnKey = seen != nullptr && wayKeyAt(*seen, m_view(), event.position());
+        m_surface.setCursor(m_hot || isOnKey ? Qt::OpenHandCursor : Qt::ArrowCursor);
     }
 }
 
@@ -155,6 +172,21 @@ void ViewportInput::drag(GizmoId gizmo, const QMouseEvent& event)
 {
     const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
     m_document.edit(dragGizmo(gizmo, m_drag->before, m_drag->view, event.position(), snap), {}, m_drag->gesture);
+}
+
+const Track* ViewportInput::way() const
+{
+    return m_document.track(knownParameter("emitter.position"));
+}
+
+void ViewportInput::drag(WayKey key, const QMouseEvent& event)
+{
+    Track way = m_drag->emitterWay.front();
+    KeyFrame moved = *keyAt(way, key.seconds);
+    const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
+    moved.value = placeFacing(m_drag->view, std::get<glm::vec3>(moved.value), event.position(), snap);
+    setKey(way, moved);
+    replaceTracks(m_document, {way}, tr("Move a key frame of the way"), m_drag->gesture);
 }
 
 void ViewportInput::drag(CameraMove move, const QMouseEvent& event)
@@ -201,7 +233,6 @@ void ViewportInput::setHot(std::optional<GizmoId> gizmo)
 {
     if (gizmo != m_hot) {
         m_hot = gizmo;
-        m_surface.setCursor(gizmo ? Qt::OpenHandCursor : Qt::ArrowCursor);
         m_surface.update();
     }
 }

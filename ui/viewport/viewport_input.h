@@ -44,12 +44,17 @@ protected:
 
 private:
     struct DividingLine { };
-    using Grip = std::variant<DividingLine, GizmoId, CameraMove>;
+    /// The dot of a key frame of the emitter's way.
+    struct WayKey {
+        double seconds;
+    };
+    using Grip = std::variant<DividingLine, GizmoId, WayKey, CameraMove>;
     struct Drag {
         Grip grip;
         Qt::MouseButton button;
         EndlessWay way;
         Effect before;
+        std::vector<Track> emitterWay; ///< of the emitter, before; empty: it does not move
         View view;
         Gesture gesture;
         bool isClick = false; ///< as long as the mouse stays where the left button was pressed
@@ -64,6 +69,9 @@ private:
     [[nodiscard]] std::optional<Grip> gripFor(const QMouseEvent& event) const;
     void drag(DividingLine line, const QMouseEvent& event);
     void drag(GizmoId gizmo, const QMouseEvent& event);
+    void drag(WayKey key, const QMouseEvent& event);
+    /// The way of the emitter, where it has key frames that can be seen.
+    [[nodiscard]] const Track* way() const;
     void drag(CameraMove move, const QMouseEvent& event);
     void setHot(std::optional<GizmoId> gizmo);
     void setInside(bool inside);
