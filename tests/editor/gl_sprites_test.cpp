@@ -11,6 +11,7 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions>
 
 #include <cmath>
 
@@ -51,6 +52,7 @@ private slots:
         QVERIFY(m_context.makeCurrent(&m_surface));
         m_sprites = std::make_unique<GlSprites>();
         QVERIFY2(m_sprites->failure().isEmpty(), qPrintable(m_sprites->failure()));
+        qInfo("%s", reinterpret_cast<const char*>(m_context.functions()->glGetString(GL_RENDERER)));
     }
     void cleanupTestCase()
     {
