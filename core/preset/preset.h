@@ -18,8 +18,8 @@ inline constexpr std::size_t kMaxPresetFileBytes = std::size_t{64} << 20U;
 
 /// A member of the file that this version does not know; it is written back as it was.
 struct UnknownMember {
-    std::string group; ///< beside whose members it stands; "scene" or "layer": beside their groups; "animation": among
-                       ///< the tracks; empty: at the top level
+    std::string group; ///< beside whose members it stands; "scene" or "layer": beside their groups; "animation" and
+                       ///< "markers": among the tracks or markers; empty: at the top level
     std::string key;
     std::string json; ///< its value, as in the file
     std::size_t layer = 0; ///< that its group belongs to, if it is a layer's

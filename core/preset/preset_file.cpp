@@ -6,6 +6,7 @@
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/image_io/metadata_reader.h"
+#include "core/preset/marker_node.h"
 #include "core/preset/preset_keys.h"
 #include "core/preset/preset_node.h"
 #include "core/preset/track_node.h"
@@ -55,6 +56,31 @@ void writeLayerHeader(const Layer& layer, const std::string& indent, std::string
     }
 }
 
+/// A list with an item a line; nothing where there is none.
+void writeList(std::string_view key, const std::vector<std::string>& items, const std::string& indent, std::string& out)
+{
+    for (const std::string& item : items) {
+        out += &item == items.data() ? "\n" + indent + quoteJson(key) + ": [\n" : ",\n";
+        out += indent + "  " + item;
+    }
+    out += items.empty() ? "" : "\n" + indent + "],";
+}
+
+/// The markers of a scene.
+void writeMarkers(const Preset& preset, const std::string& indent, std::string& out)
+{
+    std::vector<std::string> items;
+    for (const Marker& marker : preset.scene.markers) {
+        items.push_back(formatMarker(marker));
+    }
+    for (const UnknownMember& member : preset.unknown) {
+        if (member.group == kMarkers) {
+            items.push_back(member.json);
+        }
+    }
+    writeList(kMarkers, items, indent, out);
+}
+
 /// What changes over time of a scene or of its layer; nothing where nothing does.
 void writeAnimation(const Owner& owner, const std::string& indent, std::string& out)
 {
@@ -70,11 +96,7 @@ void writeAnimation(const Owner& owner, const std::string& indent, std::string& 
             items.push_back(member.json);
         }
     }
-    for (const std::string& item : items) {
-        out += &item == items.data() ? "\n" + indent + quoteJson(kAnimation) + ": [\n" : ",\n";
-        out += indent + "  " + item;
-    }
-    out += items.empty() ? "" : "\n" + indent + "],";
+    writeList(kAnimation, items, indent, out);
 }
 
 /// The groups of a scene or of its layer, and what is unknown beside them.
@@ -83,6 +105,9 @@ void writeGroups(const Owner& owner, const std::string& indent, std::string& out
     const Preset& preset = owner.preset;
     std::string_view group;
     writeAnimation(owner, indent, out);
+    if (owner.scope == Scope::Scene) {
+        writeMarkers(preset, indent, out);
+    }
     for (const Parameter& parameter : parameterTable()) {
         if (parameter.scope != owner.scope) {
             continue;

@@ -24,6 +24,11 @@ inline constexpr std::string_view kTrackBefore = "before";
 inline constexpr std::string_view kTrackAfter = "after";
 inline constexpr std::string_view kTrackKeys = "keys";
 
+/// Moments with names of the scene, and members of each.
+inline constexpr std::string_view kMarkers = "markers";
+inline constexpr std::string_view kMarkerName = "name";
+inline constexpr std::string_view kMarkerTime = "time";
+
 /// What a ColourTag is called in files.
 inline constexpr std::array<std::string_view, 8> kColourTags{
     "none", "red", "orange", "yellow", "green", "blue", "violet", "grey"};

@@ -1,9 +1,10 @@
 #include "core/preset/preset_node.h"
 
-#include "core/base/joined.h"
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
+#include "core/preset/layer_node.h"
+#include "core/preset/marker_node.h"
 #include "core/preset/migration.h"
 #include "core/preset/parameter_node.h"
 #include "core/preset/preset_keys.h"
@@ -52,8 +53,6 @@ private:
         std::vector<std::string_view> seen;
         const JsonNode* from = nullptr; ///< what names the layer's parent
     };
-
-    static bool isText(const JsonNode& node) { return node.type == JsonNode::Type::String; }
 
     [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
     {
@@ -148,43 +147,6 @@ private:
         return Done{};
     }
 
-    /// Whether a member of a layer is one that stands beside its groups, and was read.
-    Result<bool> readLayerMember(const std::string& key, const JsonNode& node)
-    {
-        Layer& layer = m_reading.preset.scene.layers[m_layer];
-        const auto wrong = [&](const Message& expected) {
-            return errorAt(node, ErrorCode::WrongType, makeMessage("%1: expected %2", key, expected), {});
-        };
-        if (key == kLayerName || key == kLayerFrom) {
-            if (!isText(node)) {
-                return wrong(makeMessage("a text in quotes"));
-            }
-            if (node.string.size() > kMaxLayerName) {
-                return errorAt(node, ErrorCode::TooLarge, makeMessage("a layer's name of %1 bytes", node.string.size()),
-                    makeMessage("Names have at most %1", kMaxLayerName));
-            }
-            (key == kLayerName ? layer.name : layer.from) = node.string;
-            m_part->from = key == kLayerFrom ? &node : m_part->from;
-            return true;
-        }
-        if (key == kLayerVisible || key == kLayerLocked) {
-            if (node.type != JsonNode::Type::Bool) {
-                return wrong(kindName(Kind::Bool));
-            }
-            (key == kLayerVisible ? layer.visible : layer.locked) = node.flag;
-            return true;
-        }
-        if (key == kLayerTag) {
-            const auto tag = std::find(kColourTags.begin(), kColourTags.end(), node.string);
-            if (!isText(node) || tag == kColourTags.end()) {
-                return wrong(makeMessage("a colour: %1", joined(kColourTags)));
-            }
-            layer.tag = static_cast<ColourTag>(tag - kColourTags.begin());
-            return true;
-        }
-        return false;
-    }
-
     /// @param owner what the groups belong to
     Status readGroups(std::string_view owner, Scope scope, const JsonNode& node)
     {
@@ -194,14 +156,12 @@ private:
         for (std::size_t i = 0; i < node.items.size(); ++i) {
             const std::string& key = node.keys[i];
             const JsonNode& group = node.items[i];
-            if (scope == Scope::Layer) {
-                const Result<bool> isRead = readLayerMember(key, group);
-                if (!isRead) {
-                    return isRead.error();
-                }
-                if (isRead.value()) {
-                    continue;
-                }
+            const Result<bool> isRead = readMember(scope, key, group);
+            if (!isRead) {
+                return isRead.error();
+            }
+            if (isRead.value()) {
+                continue;
             }
             const auto read = [&] {
                 return key == kAnimation       ? readAnimation(scope, group)
@@ -215,12 +175,38 @@ private:
         return Done{};
     }
 
+    /// How others say what is wrong here.
+    NodeTalk talk()
+    {
+        return {std::bind_front(&Reader::errorAt, this),
+            [this](const JsonNode& at, const Message& message) { warn(at, [&] { return message; }); }};
+    }
+
+    /// Whether a member of the scene or of a layer is one that stands beside the groups, and was read.
+    Result<bool> readMember(Scope scope, const std::string& key, const JsonNode& node)
+    {
+        if (scope == Scope::Layer) {
+            m_part->from = key == kLayerFrom ? &node : m_part->from;
+            return readLayerMember(key, node, talk(), m_reading.preset.scene.layers[m_layer]);
+        }
+        if (key != kMarkers) {
+            return false;
+        }
+        Result<MarkersReading> reading = readMarkers(node, m_text, talk());
+        if (!reading) {
+            return reading.error();
+        }
+        m_reading.preset.scene.markers = std::move(reading.value().markers);
+        for (const std::string& json : reading.value().unknown) {
+            m_reading.preset.unknown.push_back({std::string(kMarkers), {}, json, 0, true});
+        }
+        return true;
+    }
+
     /// @param scope whose parameters the tracks are of
     Status readAnimation(Scope scope, const JsonNode& node)
     {
-        const auto error = std::bind_front(&Reader::errorAt, this);
-        const auto say = [this](const JsonNode& at, const Message& message) { warn(at, [&] { return message; }); };
-        const Result<TracksReading> reading = readTracks(node, scope, m_text, {error, say});
+        const Result<TracksReading> reading = readTracks(node, scope, m_text, talk());
         if (!reading) {
             return reading.error();
         }

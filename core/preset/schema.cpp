@@ -118,6 +118,17 @@ Json animationSchema(Scope scope)
     return {{"type", "array"}, {"items", {{"anyOf", std::move(tracks)}}}};
 }
 
+/// The markers of a scene.
+Json markersSchema()
+{
+    return {{"type", "array"}, {"maxItems", kMaxMarkers},
+        {"items",
+            {{"type", "object"}, {"additionalProperties", false}, {"required", {kMarkerName, kMarkerTime}},
+                {"properties",
+                    {{kMarkerName, {{"type", "string"}, {"minLength", 1}, {"maxLength", kMaxMarkerName}}},
+                        {kMarkerTime, ranged("number", {0.0, kMaxMarkerSeconds})}}}}}};
+}
+
 /// A layer: what stands beside its groups, and those.
 Json layerSchema()
 {
@@ -143,6 +154,7 @@ std::string presetSchema()
     properties["description"] = {{"type", "string"}};
     properties["scene"] = groupsSchema(Scope::Scene);
     properties["scene"]["properties"][kAnimation] = animationSchema(Scope::Scene);
+    properties["scene"]["properties"][kMarkers] = markersSchema();
     properties["layers"] = {{"type", "array"}, {"minItems", 1}, {"maxItems", kMaxLayers}, {"items", layerSchema()}};
     const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Fumage preset"},
         {"type", "object"}, {"required", {"format", "version"}}, {"additionalProperties", false},

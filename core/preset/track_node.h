@@ -1,20 +1,13 @@
 #pragma once
 
 #include "core/effect/tracks.h"
-#include "core/preset/json_tree.h"
+#include "core/preset/node_talk.h"
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace fumage {
-
-/// How what is wrong with a node is said.
-struct NodeTalk {
-    std::function<Error(const JsonNode& node, ErrorCode code, const Message& message, const Message& remedy)> error;
-    std::function<void(const JsonNode& node, const Message& message)> warn;
-};
 
 /// The tracks of a scene or of a layer.
 struct TracksReading {

@@ -4,6 +4,7 @@
 #include "core/effect/effect.h"
 #include "core/effect/sampling.h"
 #include "core/effect/tracks.h"
+#include "core/scene/marker.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,7 @@ struct Scene {
     Timeline timeline;
     Output output;
     Tracks tracks; ///< of the surroundings' parameters
+    std::vector<Marker> markers; ///< in the order of their times, as checkMarkers() has them; they change no picture
     std::vector<Layer> layers{Layer()}; ///< 1 to kMaxLayers
 
     Scene() = default;
