@@ -92,7 +92,8 @@ bool isOfPresets(const CheckArguments& arguments)
     const PictureOptions& picture = arguments.picture;
     const EffectOptions& effect = picture.effect;
     return !arguments.grid.empty() || !picture.frames.empty() || !picture.size.empty() || !picture.format.empty()
-        || !effect.assignments.empty() || !effect.animations.empty() || !effect.layers.empty() || !effect.muted.empty();
+        || !effect.assignments.empty() || !effect.animations.empty() || !effect.markers.empty()
+        || !effect.layers.empty() || !effect.muted.empty();
 }
 
 /// Checks what is named by a manifest or a sheet of a layer, and leaves the presets.
@@ -112,9 +113,8 @@ Status checkLayered(CheckArguments& arguments, nlohmann::ordered_json& answer)
         }
         if (isOfPresets(arguments)) {
             return Error{ErrorCode::OutOfRange, makeMessage("the sheets of a manifest are checked as they are"), name,
-                makeMessage(
-                    "Leave out --grid, --frames, --size, --format, --set, --animate, --layers and --mute, or name "
-                    "the preset")};
+                makeMessage("Leave out --grid, --frames, --size, --format, --set, --animate, --marker, --layers and "
+                            "--mute, or name the preset")};
         }
         if (Status status = checkLayers(name, *layered.value(), arguments.asJson ? &answer : nullptr); !status) {
             return status;

@@ -9,6 +9,7 @@
 #include "core/scene/key_assignment.h"
 #include "core/scene/key_table.h"
 #include "core/scene/layer_assignment.h"
+#include "core/scene/marker_assignment.h"
 #include "core/effect/value.h"
 #include "core/preset/picture_file.h"
 #include "core/preset/preset_file.h"
@@ -121,6 +122,9 @@ Result<NamedPreset> load(const std::string& preset, const EffectOptions& options
     if (Status status = applyAll("--animate ", options.animations, &animate, scene); !status) {
         return status.error();
     }
+    if (Status status = applyAll("--marker ", options.markers, &markScene, scene); !status) {
+        return status.error();
+    }
     for (const std::string& assignment : options.assignments) {
         warnWhereItHasNoEffect(assignment, named.preset.scene);
     }
@@ -208,6 +212,14 @@ void EffectOptions::addTo(CLI::App& command)
         ->take_all()
         ->allow_extra_args(false)
         ->option_text("KEY=KEYFRAMES");
+    command
+        .add_option("--marker", markers,
+            "Name a moment of the timeline, of which games are told: --marker \"Boom=0.5\", its seconds, or several "
+            "with ; between; --marker Boom= takes it out; may be repeated")
+        ->type_name("NAME=SECONDS")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->option_text("NAME=SECONDS");
     command.add_option("--layers", layers, "Show these layers alone: names or numbers from 1, with commas between")
         ->type_name("LAYERS")
         ->option_text("LAYERS");

@@ -47,13 +47,14 @@ struct EffectOptions {
     std::vector<std::string> presets;
     std::vector<std::string> assignments;
     std::vector<std::string> animations;
+    std::vector<std::string> markers;
     std::string layers; ///< to be shown, all others muted; empty: those that the preset shows
     std::string muted;
 
-    /// Adds PRESET, --set, --animate, --layers and --mute to a subcommand.
+    /// Adds PRESET, --set, --animate, --marker, --layers and --mute to a subcommand.
     void addTo(CLI::App& command);
 
-    /// Loads all presets, applies --set and then --animate in order, shows and mutes layers, then does the work for
+    /// Loads all presets, applies --set, --animate and --marker, each in order, shows and mutes layers, then does the work for
     /// each; warnings go to standard error.
     /// @param output what the user named for what is written: with several presets only a folder will do
     [[nodiscard]] Status forEach(

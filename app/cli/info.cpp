@@ -27,6 +27,58 @@ std::string shownText(const Shown& shown)
     return shown.frame ? "shows       frame " + std::to_string(*shown.frame) + "\n" : "";
 }
 
+/// Writes the moments that have names.
+void writeMarkers(const Scene& scene, std::ostream& out)
+{
+    for (const Marker& marker : scene.markers) {
+        out << (&marker == scene.markers.data() ? "markers     " : "            ") << formatDouble(marker.seconds)
+            << " s  " << printable(marker.name) << "\n";
+    }
+}
+
+/// What a parameter of a layer is called, as --set has it: with the layer's number where there are several.
+std::string keyOf(const Scene& scene, const Parameter& parameter, std::size_t layer)
+{
+    const bool isNamed = scene.layers.size() > 1 && parameter.scope == Scope::Layer;
+    return (isNamed ? std::to_string(layer + 1) + "/" : "") + std::string(parameter.key);
+}
+
+/// A parameter with key frames.
+struct Animated {
+    std::string key;
+    std::size_t keys = 0;
+};
+
+/// Those of what all layers share, then those of each layer.
+std::vector<Animated> animatedIn(const Scene& scene)
+{
+    std::vector<Animated> all;
+    const auto add = [&](const Tracks& tracks, std::size_t layer) {
+        for (const Track& track : tracks.all()) {
+            all.push_back({keyOf(scene, *track.parameter, layer), track.keys.size()});
+        }
+    };
+    add(scene.tracks, 0);
+    for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
+        add(scene.layers[layer].tracks, layer);
+    }
+    return all;
+}
+
+void writeAnimated(const Scene& scene, std::ostream& out)
+{
+    const std::vector<Animated> all = animatedIn(scene);
+    if (all.empty()) {
+        return;
+    }
+    out << "key frames  " << all.size()
+        << (all.size() == 1 ? " parameter changes over time:" : " parameters change over time:");
+    for (const Animated& each : all) {
+        out << (&each == all.data() ? " " : ", ") << each.key << " (" << each.keys << ")";
+    }
+    out << "\n";
+}
+
 Status asText(const Preset& preset, const Shown& shown)
 {
     const Scene& scene = preset.scene;
@@ -45,6 +97,8 @@ Status asText(const Preset& preset, const Shown& shown)
     }
     out << "timeline    " << scene.timeline.length << " frames at " << scene.timeline.frameRate << " fps"
         << (scene.timeline.loop ? ", looping" : "") << "\n";
+    writeMarkers(scene, out);
+    writeAnimated(scene, out);
     out << "picture     " << scene.output.width << " x " << scene.output.height << " pixels\n"
         << shownText(shown) << "\n";
     out << "What differs from a new document:\n";
@@ -52,13 +106,25 @@ Status asText(const Preset& preset, const Shown& shown)
         const Effect effect = scene.effect(layer);
         for (const Parameter* parameter : differences(effect, Effect{})) {
             if (layer == 0 || parameter->scope == Scope::Layer) {
-                const bool isNamed = several && parameter->scope == Scope::Layer;
-                out << "  " << (isNamed ? std::to_string(layer + 1) + "/" : "") << parameter->key << " = "
+                out << "  " << keyOf(scene, *parameter, layer) << " = "
                     << formatText(*parameter, parameter->get(effect), true) << "\n";
             }
         }
     }
     return print(out.str());
+}
+
+/// The same for programs.
+void addTime(const Scene& scene, nlohmann::ordered_json& answer)
+{
+    answer["markers"] = nlohmann::ordered_json::array();
+    for (const Marker& marker : scene.markers) {
+        answer["markers"].push_back({{"name", marker.name}, {"seconds", marker.seconds}});
+    }
+    answer["animated"] = nlohmann::ordered_json::array();
+    for (const Animated& each : animatedIn(scene)) {
+        answer["animated"].push_back({{"key", each.key}, {"keyFrames", each.keys}});
+    }
 }
 
 nlohmann::ordered_json asJson(const Preset& preset, const Schedule& schedule)
@@ -100,6 +166,7 @@ Status info(const std::string& name, bool json)
         return asText(preset, shown);
     }
     nlohmann::ordered_json answer = asJson(preset, schedule);
+    addTime(preset.scene, answer);
     if (shown.frame) {
         answer["frame"] = *shown.frame;
     }

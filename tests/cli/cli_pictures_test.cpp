@@ -175,7 +175,8 @@ private slots:
         QCOMPARE(answer["layers_as"].toString(), QString("contribution"));
         QVERIFY(answer["decibels"].toDouble() > 50.0);
         QVERIFY(answer["sheets"].toArray().size() > 1);
-        for (const QStringList& option : {QStringList{"--grid", "4"}, QStringList{"--animate", "emitter.rate=0:1"}}) {
+        for (const QStringList& option : {QStringList{"--grid", "4"}, QStringList{"--animate", "emitter.rate=0:1"},
+                 QStringList{"--marker", "Boom=1"}}) {
             const Outcome mixed = runIn(*m_folder, QStringList{"check-sheet", "out/fire.manifest.json"} + option);
             QVERIFY2(mixed.code == 3 && mixed.error.contains("as they are"), mixed.error.constData());
         }
