@@ -4,6 +4,7 @@
 #include "core/export/image_file.h"
 #include "core/export/layer_output.h"
 #include "core/export/pass_picture.h"
+#include "core/export/sheets/sheet_events.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -38,6 +39,7 @@ struct EngineSheet {
     bool isStacked = false; ///< the pictures are layers in the order in which they are drawn, premultiplied unless the
                             ///< engine blendsStraight()
     BlendSpace space = BlendSpace::Encoded; ///< in which they are the picture then
+    std::vector<SheetEvent> events{}; ///< markers, as they are passed
 };
 
 } // namespace fumage

@@ -137,14 +137,30 @@ void addNodes(const EngineSheet& sheet, const std::string& stem, TemplateFacts& 
     facts.list("nodes", std::move(list));
 }
 
+/// Markers, as they are passed.
+void addEvents(const EngineSheet& sheet, TemplateFacts& facts)
+{
+    std::vector<TemplateFacts> list;
+    for (const SheetEvent& event : sheet.events) {
+        TemplateFacts each(facts.language());
+        each.text("name", event.name);
+        each.number("seconds", event.seconds);
+        each.number("cell", event.cell);
+        list.push_back(std::move(each));
+    }
+    facts.flag("has_events", !list.empty());
+    facts.list("events", std::move(list));
+}
+
 /// How many resources a scene of Godot has, itself among them.
-int resourcesOf(const EngineSheet& sheet, bool glows)
+/// @param eventResources that markers need
+int resourcesOf(const EngineSheet& sheet, bool glows, int eventResources)
 {
     const auto pictures = static_cast<int>(sheet.pictures.size());
     // Shader and process; a material and a quad for each that is drawn.
     const int drawn = sheet.isStacked ? pictures : 1;
     const int glow = glows ? 2 : 0; // gradient and its texture
-    return pictures + 2 + 2 * drawn + glow + 1;
+    return pictures + 2 + 2 * drawn + glow + (sheet.events.empty() ? 0 : eventResources) + 1;
 }
 
 TemplateFacts stopOf(Language language, float position, const glm::vec3& colour)
@@ -231,7 +247,9 @@ TemplateFacts factsOf(Language language, const EngineSheet& sheet)
     addLayers(sheet, facts);
     addNodes(sheet, stem, facts);
     const bool glows = addGlow(sheet, facts);
-    facts.number("resources", resourcesOf(sheet, glows));
+    addEvents(sheet, facts);
+    facts.number("resources", resourcesOf(sheet, glows, 3)); // script, animation and its library
+    facts.number("resources_godot3", resourcesOf(sheet, glows, 2)); // which has no libraries
     addChannels(sheet.style, facts);
     addPlace(sheet.scene, facts);
     return facts;

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/export/layer_masks.h"
 #include "core/export/sheets/cell_frames.h"
+#include "core/export/sheets/sheet_events.h"
 
 #include <nlohmann/json.hpp>
 
@@ -226,6 +227,14 @@ void describeTime(const FlipbookOptions& options, Json& json)
     }
 }
 
+/// Moments with names that who plays it passes.
+void describeEvents(const Scene& scene, const FlipbookOptions& options, Json& json)
+{
+    for (const SheetEvent& event : sheetEvents(scene, options)) {
+        json["events"].push_back({{"name", event.name}, {"seconds", event.seconds}, {"cell", event.cell}});
+    }
+}
+
 } // namespace
 
 std::string describeFlipbook(
@@ -245,6 +254,7 @@ std::string describeFlipbook(
     json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
     json["loop"] = flipbook.loops;
     describeTime(options, json);
+    describeEvents(scene, options, json);
     if (options.layer) {
         json["layer"] = describeLayer(options);
     }

@@ -61,6 +61,7 @@ EngineSheet engineSheet(const Scene& scene, const FlipbookOptions& options, cons
 {
     EngineSheet sheet{
         scene, options.columns, options.rows, flipbook.cellsPerSecond, flipbook.loops, options.style, scales, {}};
+    sheet.events = sheetEvents(scene, options);
     if (bytes.empty()) {
         return sheet;
     }
