@@ -1,7 +1,10 @@
 #include "core/export/remarks.h"
 
+#include "core/base/joined.h"
+#include "core/base/text.h"
 #include "core/export/engines/engine_remarks.h"
 #include "core/export/loop.h"
+#include "core/export/sheets/sheet_events.h"
 #include "core/preset/preset_file.h"
 #include "core/scene/key_faults.h"
 
@@ -74,6 +77,37 @@ void addTracks(const Scene& scene, std::vector<Message>& remarks)
     }
 }
 
+/// Names of markers, of many the first few.
+std::string listed(const std::vector<std::string>& names)
+{
+    constexpr std::size_t kListed = 5;
+    const auto shown = static_cast<std::ptrdiff_t>(std::min(names.size(), kListed));
+    return joined(std::vector<std::string>(names.begin(), names.begin() + shown))
+        + (names.size() > kListed ? ", ..." : "");
+}
+
+/// Markers that no game hears of.
+void addMarkers(const Scene& scene, const ExportPlan& plan, std::vector<Message>& remarks)
+{
+    const double length = static_cast<double>(scene.timeline.length) / scene.timeline.frameRate;
+    const bool isFlipbook = plan.kind == ExportKind::Flipbook;
+    std::vector<std::string> late;
+    std::vector<std::string> outside;
+    for (const Marker& marker : isFlipbook ? markersOutside(scene, flipbookOf(plan)) : scene.markers) {
+        if (marker.seconds >= length) {
+            late.push_back(inQuotes(marker.name));
+        } else if (isFlipbook) {
+            outside.push_back(inQuotes(marker.name));
+        }
+    }
+    if (!late.empty()) {
+        remarks.push_back(makeMessage("markers after the end of the timeline: %1", listed(late)));
+    }
+    if (!outside.empty()) {
+        remarks.push_back(makeMessage("markers outside of the frames of the sheet: %1", listed(outside)));
+    }
+}
+
 /// Presets are short but for their pictures.
 void addCarried(const Scene& scene, const ExportPlan& plan, std::vector<Message>& remarks)
 {
@@ -98,6 +132,7 @@ std::vector<Message> remarksOn(const Scene& scene, const ExportPlan& plan)
     std::vector<Message> remarks;
     addLoop(scene.timeline, plan, remarks);
     addTracks(scene, remarks);
+    addMarkers(scene, plan, remarks);
     if (plan.kind == ExportKind::Video) {
         addVideo(scene, plan, remarks);
     }

@@ -82,6 +82,17 @@ bool hasKeys(const Tracks& tracks, std::string_view group)
         [&](const Track& track) { return track.parameter->group() == group; });
 }
 
+/// Whether one scene looks as another: their markers alone differ.
+bool hasOtherMarkersAlone(const Scene& one, const Scene& other)
+{
+    if (one.markers == other.markers) {
+        return false;
+    }
+    Scene same = one;
+    same.markers = other.markers;
+    return same == other;
+}
+
 /// Whether lists of the layers of both look alike.
 bool hasSameLayers(const Scene& one, const Scene& other)
 {
@@ -320,6 +331,7 @@ void Document::write(const Scene& scene, const LayerSelection& selection, std::v
 {
     const DirtyStage stale = staleBetween(m_preset.scene, scene);
     const bool isSameScene = &scene == &m_preset.scene;
+    const bool isOfScene = !isSameScene && !hasOtherMarkersAlone(m_preset.scene, scene);
     const bool hasSameList = hasSameLayers(m_preset.scene, scene);
     const bool isSameSelection = selection == m_selection;
     const std::size_t active = selection.active();
@@ -331,7 +343,7 @@ void Document::write(const Scene& scene, const LayerSelection& selection, std::v
     m_effect = scene.effectAt(active, m_seconds);
     m_reference = referenceNow(active);
     if (!isSameScene || !isSameLayer) {
-        emit effectChanged({std::move(changed), stale, !isSameScene});
+        emit effectChanged({std::move(changed), stale, isOfScene});
     }
     if (!hasSameList) {
         emit layersChanged();

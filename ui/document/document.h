@@ -26,7 +26,7 @@ struct Assignment {
 struct EffectChange {
     std::vector<const Parameter*> parameters; ///< that differ in the layer that is edited, from the one before
     DirtyStage stale = DirtyStage::Shade; ///< the first stage of the work that has to be done again
-    bool isOfScene = true; ///< else nothing but another layer of it is edited
+    bool isOfScene = true; ///< else pictures show the same: another layer is edited, or the markers are others
 };
 
 /// How the file of a document stands against what was read from it, or written to it, here.

@@ -76,6 +76,7 @@ MainWindow::MainWindow(AppServices& services)
     connectFileActions();
     connectPlayActions(m_actions, m_player);
     connectKeyActions(m_actions, m_player, m_document);
+    connectMarkerActions(m_actions, m_player, m_document);
     connectWindowActions();
     connectViews();
     connectPresets();

@@ -1,14 +1,38 @@
 #include "ui/shell/play_actions.h"
 
 #include "ui/document/key_edits.h"
+#include "ui/document/marker_edits.h"
 #include "ui/shell/action_table.h"
 #include "ui/timeline/player.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace fumage::ui {
+
+namespace {
+
+/// Shows the frame of the next time, or of the one before the frame that is shown; nothing happens where there is none.
+/// @param times in order, s
+void goToNext(Player& player, const Document& document, const std::vector<double>& times, bool forward)
+{
+    const double rate = document.scene().timeline.frameRate;
+    std::optional<int> next;
+    for (const double seconds : times) {
+        const int frame = static_cast<int>(std::lround(seconds * rate));
+        if (forward ? frame > player.frame() && !next : frame < player.frame()) {
+            next = frame;
+        }
+    }
+    if (next) {
+        player.pause();
+        player.setFrame(*next);
+    }
+}
+
+} // namespace
 
 void connectPlayActions(const ActionSet& actions, Player& player)
 {
@@ -26,23 +50,18 @@ void connectPlayActions(const ActionSet& actions, Player& player)
 
 void connectKeyActions(const ActionSet& actions, Player& player, Document& document)
 {
-    const auto go = [&player, &document](bool forward) {
-        const double rate = document.scene().timeline.frameRate;
-        std::optional<int> next;
-        for (const double seconds : keyTimes(document)) {
-            const int frame = static_cast<int>(std::lround(seconds * rate));
-            if (forward ? frame > player.frame() && !next : frame < player.frame()) {
-                next = frame;
-            }
-        }
-        if (next) {
-            player.pause();
-            player.setFrame(*next);
-        }
-    };
+    const auto go = [&player, &document](bool forward) { goToNext(player, document, keyTimes(document), forward); };
     actions.on("play.nextKey", &player, [go] { go(true); });
     actions.on("play.previousKey", &player, [go] { go(false); });
     QObject::connect(&actions.get("play.autoKey"), &QAction::toggled, &document, &Document::setAutoKey);
+}
+
+void connectMarkerActions(const ActionSet& actions, Player& player, Document& document)
+{
+    const auto go = [&player, &document](bool forward) { goToNext(player, document, markerTimes(document), forward); };
+    actions.on("play.addMarker", &player, [&document] { addMarkerHere(document); });
+    actions.on("play.nextMarker", &player, [go] { go(true); });
+    actions.on("play.previousMarker", &player, [go] { go(false); });
 }
 
 } // namespace fumage::ui

@@ -9,6 +9,9 @@ class Player;
 /// Puts the actions that play, step and set the range in charge of a player.
 void connectPlayActions(const ActionSet& actions, Player& player);
 
+/// The same for those that set markers, and go from one to the next.
+void connectMarkerActions(const ActionSet& actions, Player& player, Document& document);
+
 /// The same for those that go from key frame to key frame, and set them.
 void connectKeyActions(const ActionSet& actions, Player& player, Document& document);
 

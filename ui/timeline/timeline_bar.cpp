@@ -42,6 +42,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     , m_player(player)
     , m_controls(new QHBoxLayout)
     , m_ruler(new TimelineRuler(player, this))
+    , m_markers(new MarkerLane(document, player, *m_ruler, this))
     , m_lanes(new KeyLanes(document, player, *m_ruler, this))
     , m_lanesView(new QScrollArea(this))
     , m_frame(new WholeBox(this))
@@ -59,9 +60,11 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     layout->setContentsMargins(8, 4, 8, 6);
     layout->setSpacing(4);
     layout->addLayout(m_controls);
+    layout->addWidget(m_markers);
     layout->addWidget(m_ruler);
     addLanes(*layout);
     connectPlayer();
+    connect(m_markers, &MarkerLane::heightChanged, this, [this] { updateGeometry(); });
     connect(&document, &Document::effectChanged, this, &TimelineBar::followDocument);
     followDocument();
 }

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/timeline/key_lanes.h"
+#include "ui/timeline/marker_lane.h"
 #include "ui/timeline/player.h"
 #include "ui/timeline/timeline_ruler.h"
 
@@ -30,6 +31,7 @@ public:
 
     [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
     [[nodiscard]] KeyLanes& lanes() const { return *m_lanes; }
+    [[nodiscard]] MarkerLane& markers() const { return *m_markers; }
 
     QSize minimumSizeHint() const override;
 
@@ -60,6 +62,7 @@ private:
     Player& m_player;
     QHBoxLayout* m_controls;
     TimelineRuler* m_ruler;
+    MarkerLane* m_markers;
     KeyLanes* m_lanes;
     QScrollArea* m_lanesView; ///< shows a few of them, and scrolls
     QToolButton* m_play;

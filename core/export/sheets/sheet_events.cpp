@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -55,6 +56,41 @@ std::optional<std::int64_t> turnIn(const Stretch& stretch, double frame, int tur
     return turns >= 0 && passes(frame + static_cast<double>(turns) * turn) ? std::optional(turns) : std::nullopt;
 }
 
+/// What the cells of a sheet go through, and how fast.
+struct Way {
+    std::vector<Stretch> stretches; ///< one a cell
+    double cellsPerSecond = 1.0;
+    const Timeline& timeline;
+};
+
+Way wayOf(const Scene& scene, const FlipbookOptions& options)
+{
+    return {stretchesOf(options), cellsPerSecond(scene, options), scene.timeline};
+}
+
+std::vector<SheetEvent> eventsOf(const Marker& marker, const Way& way)
+{
+    std::vector<SheetEvent> events;
+    const Timeline& timeline = way.timeline;
+    const double frame = frameAt(marker.seconds, timeline.frameRate);
+    if (timeline.loop && frame >= timeline.length) {
+        return events; // never shown
+    }
+    std::set<std::int64_t> passed; // turns in which it was
+    for (std::size_t cell = 0; cell < way.stretches.size(); ++cell) {
+        const Stretch& stretch = way.stretches[cell];
+        const std::optional<std::int64_t> turn = turnIn(stretch, frame, timeline.loop ? timeline.length : 0);
+        if (!turn || !passed.insert(*turn).second) {
+            continue;
+        }
+        const double gone = frame + static_cast<double>(*turn) * timeline.length - stretch.from;
+        const double share = gone == 0.0 ? 0.0 : gone / (stretch.to - stretch.from);
+        events.push_back(
+            {marker.name, (static_cast<double>(cell) + share) / way.cellsPerSecond, static_cast<int>(cell)});
+    }
+    return events;
+}
+
 } // namespace
 
 std::vector<SheetEvent> sheetEvents(const Scene& scene, const FlipbookOptions& options)
@@ -63,28 +99,24 @@ std::vector<SheetEvent> sheetEvents(const Scene& scene, const FlipbookOptions& o
     if (scene.markers.empty()) {
         return events;
     }
-    const std::vector<Stretch> stretches = stretchesOf(options);
-    const double rate = cellsPerSecond(scene, options);
-    const Timeline& timeline = scene.timeline;
+    const Way way = wayOf(scene, options);
     for (const Marker& marker : scene.markers) {
-        const double frame = frameAt(marker.seconds, timeline.frameRate);
-        if (timeline.loop && frame >= timeline.length) {
-            continue; // never shown
-        }
-        std::set<std::int64_t> passed; // turns in which it was
-        for (std::size_t cell = 0; cell < stretches.size(); ++cell) {
-            const Stretch& stretch = stretches[cell];
-            const std::optional<std::int64_t> turn = turnIn(stretch, frame, timeline.loop ? timeline.length : 0);
-            if (!turn || !passed.insert(*turn).second) {
-                continue;
-            }
-            const double way = frame + static_cast<double>(*turn) * timeline.length - stretch.from;
-            const double share = way == 0.0 ? 0.0 : way / (stretch.to - stretch.from);
-            events.push_back({marker.name, (static_cast<double>(cell) + share) / rate, static_cast<int>(cell)});
-        }
+        std::ranges::move(eventsOf(marker, way), std::back_inserter(events));
     }
     std::ranges::stable_sort(events, {}, &SheetEvent::seconds);
     return events;
+}
+
+std::vector<Marker> markersOutside(const Scene& scene, const FlipbookOptions& options)
+{
+    std::vector<Marker> outside;
+    if (scene.markers.empty()) {
+        return outside;
+    }
+    const Way way = wayOf(scene, options);
+    std::ranges::copy_if(scene.markers, std::back_inserter(outside),
+        [&](const Marker& marker) { return eventsOf(marker, way).empty(); });
+    return outside;
 }
 
 } // namespace fumage
