@@ -152,6 +152,19 @@ FUMAGE_API const float* fumage_velocity_z(fumage_smoke* smoke);
 #define FUMAGE_NOBODY UINT64_MAX
 FUMAGE_API const uint64_t* fumage_id(fumage_smoke* smoke);
 
+/* Markers: moments of the preset's timeline that have names, in the order of their times, for a game that counts its
+ * own time since the smoke started. */
+
+/* How many there are; 0 for a handle that did not start. */
+FUMAGE_API int fumage_markers(const fumage_smoke* smoke);
+
+/* The name of a marker by its number from 0, UTF-8; valid until the next fumage_set(). NULL where there is no marker of
+ * the number: fumage_error() says so. */
+FUMAGE_API const char* fumage_marker_name(fumage_smoke* smoke, int marker);
+
+/* When it is, seconds since the beginning of the timeline. Or -1. */
+FUMAGE_API double fumage_marker_seconds(fumage_smoke* smoke, int marker);
+
 /* Layers.
  *
  * All that follow may fail: where there is no layer of the number they give -1, 0 or NULL, as each says, and

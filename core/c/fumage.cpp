@@ -89,6 +89,20 @@ const float* numbers(fumage_smoke* smoke, Column column) noexcept
     return guarded<const float*>(*smoke, nullptr, [&] { return column(*smoke->scene, 0); });
 }
 
+/// Runs what is about a marker; a number that no marker has fails.
+template <class T, class Body>
+T ofMarker(fumage_smoke* smoke, int number, T failed, const Body& body) noexcept
+{
+    return running(smoke, failed, [&](const LiveScene& scene) {
+        const std::vector<Marker>& markers = scene.scene().markers;
+        if (number < 0 || static_cast<std::size_t>(number) >= markers.size()) {
+            keep(*smoke, Error{ErrorCode::OutOfRange, makeMessage("there is no marker number %1", number), {}, {}});
+            return failed;
+        }
+        return body(markers[static_cast<std::size_t>(number)]);
+    });
+}
+
 /// How many threads the process may use; nothing: all there are.
 std::unique_ptr<ThreadLimit>& threadLimit()
 {
@@ -288,4 +302,19 @@ const uint64_t* fumage_id(fumage_smoke* smoke)
         return nullptr;
     }
     return guarded<const uint64_t*>(*smoke, nullptr, [&] { return smoke->scene->ids(0).data(); });
+}
+
+int fumage_markers(const fumage_smoke* smoke)
+{
+    return isRunning(smoke) ? static_cast<int>(smoke->scene->scene().markers.size()) : 0;
+}
+
+const char* fumage_marker_name(fumage_smoke* smoke, int marker)
+{
+    return ofMarker<const char*>(smoke, marker, nullptr, [](const Marker& each) { return each.name.c_str(); });
+}
+
+double fumage_marker_seconds(fumage_smoke* smoke, int marker)
+{
+    return ofMarker(smoke, marker, -1.0, [](const Marker& each) { return each.seconds; });
 }
