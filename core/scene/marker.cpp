@@ -45,7 +45,7 @@ Status checkMarker(const Marker& marker)
     }
     if (marker.seconds < 0.0 || marker.seconds > kMaxMarkerSeconds) {
         return Error{ErrorCode::OutOfRange, makeMessage("a marker lies at %1 s", formatDouble(marker.seconds)), {},
-            makeMessage("Markers lie from 0 to %1 s", formatDouble(kMaxMarkerSeconds))};
+            makeMessage("Markers lie from 0 to %1 s", static_cast<int>(kMaxMarkerSeconds))};
     }
     return checkName(marker.name);
 }

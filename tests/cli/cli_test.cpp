@@ -7,6 +7,7 @@
 #include "core/system/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/preset/preset_file.h"
+#include "core/scene/key_assignment.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -101,6 +102,9 @@ private slots:
         row("size 0", {"render", "default", "--size", "0"}, "0");
         row("threads", {"--threads", "0x2", "render", "default"}, "0x2");
         row("size of noise", {"bake-noise", "default", "--size", "4097", "-o", "a.png"}, "4096");
+        row("marker without a time", {"render", "default", "--marker", "Boom"}, "--marker Boom: invalid marker");
+        row("marker at no time", {"render", "default", "--marker", "Boom=nan"}, "the time of a marker is no number");
+        row("marker before the beginning", {"render", "default", "--marker", "Boom=-1"}, "lies at -1 s");
         row("depth that is no number", {"bake-noise", "default", "--depth", "nan", "-o", "a.png"}, "nan");
         row("depth beyond the end", {"bake-noise", "default", "--depth", "1.5", "-o", "a.png"}, "1.5");
     }
@@ -280,6 +284,50 @@ private slots:
         QVERIFY(hasOne(parameters, [](const QJsonValue& one) {
             return one["key"].toString() == "wind.strength" && one["maximum"].toDouble() > 0.0;
         }));
+    }
+
+    void infoTellsOfMarkersAndKeyFrames()
+    {
+        Preset preset;
+        preset.scene.layers.resize(2);
+        preset.scene.markers = {{"Boom", 0.5}, {"Hit", 1.25}};
+        QVERIFY(animateScene(preset.scene, "camera.yaw=0:0; 1:90").ok());
+        QVERIFY(animateScene(preset.scene, "2/emitter.rate=0:0; 1:1; 2:0").ok());
+        const QTemporaryDir folder;
+        const QString file = folder.path() + "/marked.json";
+        QVERIFY(writePresetFile(file.toStdString(), preset).ok());
+        const QByteArray text = run({"info", file}).out;
+        QVERIFY2(text.contains("markers     0.5 s  Boom\n            1.25 s  Hit\n"), text.constData());
+        QVERIFY2(text.contains("key frames  2 parameters change over time: camera.yaw (2), 2/emitter.rate (3)\n"),
+            text.constData());
+        const QJsonObject json = QJsonDocument::fromJson(run({"info", file, "--json"}).out).object();
+        QCOMPARE(json["markers"].toArray().size(), 2);
+        QCOMPARE(json["markers"].toArray()[1].toObject()["name"].toString(), QString("Hit"));
+        QCOMPARE(json["markers"].toArray()[1].toObject()["seconds"].toDouble(), 1.25);
+        QCOMPARE(json["animated"].toArray().size(), 2);
+        QCOMPARE(json["animated"].toArray()[1].toObject()["key"].toString(), QString("2/emitter.rate"));
+        QCOMPARE(json["animated"].toArray()[1].toObject()["keyFrames"].toInt(), 3);
+        const QByteArray plain = run({"info", "default"}).out;
+        QVERIFY(!plain.contains("markers") && !plain.contains("key frames"));
+    }
+
+    void markersOfTheCommandLineAreEvents()
+    {
+        const QTemporaryDir folder;
+        const QString picture = folder.filePath(QStringLiteral("a.png"));
+        const auto events = [&](const QStringList& options) {
+            const Outcome outcome = run(QStringList{"flipbook", "thesis-2012", "--set", "emitter.count=50", "--frames",
+                                            "0-3", "--grid", "2x2", "--size", "16", "-o", picture}
+                + options);
+            const std::string text = readFile(folder.filePath("a.flipbook.json").toStdString(), 100'000).value();
+            return outcome.code == 0 ? QJsonDocument::fromJson(QByteArray::fromStdString(text))["events"].toArray()
+                                     : QJsonArray{outcome.code};
+        };
+        const QJsonArray both = events({"--marker", "Begin=0", "--marker", "Gone=0", "--marker", "Gone="});
+        QCOMPARE(both.size(), 1);
+        QCOMPARE(both[0].toObject()["name"].toString(), QString("Begin"));
+        QCOMPARE(both[0].toObject()["cell"].toInt(-1), 0);
+        QVERIFY(events({}).isEmpty());
     }
 
     void slipsInTheNameOfACommandAreAnswered()

@@ -1,5 +1,5 @@
-// Names of files, folders and presets in what is written for engines and farms: the languages' own readers find the
-// very names, and nothing else.
+// Names of files, folders, presets and markers in what is written for engines and farms: the languages' own readers
+// find the very names, and nothing else.
 
 #include "tests/effects.h"
 #include "tests/export/hostile_names.h"
@@ -45,8 +45,13 @@ QString held(Language language, const std::string& name)
     return QString::fromStdU32String(all).mid(1);
 }
 
+std::vector<SheetEvent> eventsNamed(const std::string& name)
+{
+    return {{name, 0.25, 3}, {name, 0.5, 7}};
+}
+
 /// A sheet whose pictures have a name, without its pixels.
-std::vector<std::string> textsFor(Engine engine, const std::string& name)
+std::vector<std::string> textsFor(Engine engine, const std::string& name, const std::vector<SheetEvent>& events)
 {
     static const Effect effect = thesisEffect(10);
     EngineSheet sheet{effect, 4, 2, 15.0, false, styleFor(engine, ImageFormat::Png8), {}, {}};
@@ -55,7 +60,14 @@ std::vector<std::string> textsFor(Engine engine, const std::string& name)
             pass == Pass::Colour ? ".png" : std::string("_").append(fileNameOf(pass)).append(".png");
         sheet.pictures.push_back({pass, pathFrom(name + ending), {}, pass == Pass::Colour, pass == Pass::Motion});
     }
+    sheet.events = events;
     return makeEngineFiles(engine, sheet);
+}
+
+/// The same of one with markers, which have that name, too.
+std::vector<std::string> textsFor(Engine engine, const std::string& name)
+{
+    return textsFor(engine, name, eventsNamed(name));
 }
 
 FarmJob jobNamed(const std::string& name)
@@ -177,6 +189,8 @@ private slots:
         const auto which = static_cast<Engine>(engine);
         const std::vector<std::string> plain = textsFor(which, kPlain);
         QVERIFY(plain.front().find(kPlain) != std::string::npos);
+        const std::string without = textsFor(which, kPlain, {}).front();
+        QCOMPARE(without != plain.front(), which != Engine::Effekseer && which != Engine::Defold);
         for (const std::string& name : hostileNames()) {
             const std::vector<std::string> texts = textsFor(which, name);
             QCOMPARE(texts.size(), plain.size());

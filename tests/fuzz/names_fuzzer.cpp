@@ -1,5 +1,5 @@
-// Whatever the name of a file: what is written for engines and farms has as many lines as for any other name, and holds
-// of the name only what its language reads as that very name.
+// Whatever the name of a file and of its markers: what is written for engines and farms has as many lines as for any
+// other name, and holds of the name only what its language reads as that very name.
 
 #include "tests/fuzz/expect.h"
 
@@ -24,6 +24,7 @@ std::vector<std::string> textsFor(Engine engine, const std::string& name)
         sheet.pictures.push_back(
             {pass, pathFrom(name + fileNameOf(pass) + ".png"), {}, pass == Pass::Colour, pass == Pass::Motion});
     }
+    sheet.events = {{name, 0.25, 3}};
     return makeEngineFiles(engine, sheet);
 }
 

@@ -162,6 +162,27 @@ private slots:
         QCOMPARE(fumage_limit_threads(-1), -1);
     }
 
+    void markersAreRead()
+    {
+        const char* const json = R"({"format": "fumage-preset", "version": 2,
+            "scene": {"markers": [{"name": "Hit", "time": 1.25}, {"name": "Boom", "time": 0.5}]}})";
+        const Smoke smoke(fumage_create_from_json(json, nullptr), &fumage_destroy);
+        QVERIFY2(fumage_error(smoke.get()) == nullptr, fumage_error(smoke.get()));
+        QCOMPARE(fumage_markers(smoke.get()), 2);
+        QCOMPARE(QByteArray(fumage_marker_name(smoke.get(), 0)), QByteArray("Boom"));
+        QCOMPARE(fumage_marker_seconds(smoke.get(), 0), 0.5);
+        QCOMPARE(QByteArray(fumage_marker_name(smoke.get(), 1)), QByteArray("Hit"));
+        QCOMPARE(fumage_marker_seconds(smoke.get(), 1), 1.25);
+        for (const int none : {-1, 2}) {
+            QVERIFY(fumage_marker_name(smoke.get(), none) == nullptr);
+            QVERIFY(QByteArray(fumage_error(smoke.get())).contains("no marker number"));
+            QCOMPARE(fumage_marker_seconds(smoke.get(), none), -1.0);
+        }
+        QCOMPARE(fumage_markers(nullptr), 0);
+        QVERIFY(fumage_marker_name(nullptr, 0) == nullptr);
+        QCOMPARE(fumage_marker_seconds(nullptr, 0), -1.0);
+    }
+
     void anEndlessTimeIsNoEndOfTheSmoke()
     {
         const Smoke smoke = named("thesis-2012");
