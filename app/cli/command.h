@@ -54,8 +54,8 @@ struct EffectOptions {
     /// Adds PRESET, --set, --animate, --marker, --layers and --mute to a subcommand.
     void addTo(CLI::App& command);
 
-    /// Loads all presets, applies --set, --animate and --marker, each in order, shows and mutes layers, then does the work for
-    /// each; warnings go to standard error.
+    /// Loads all presets, applies --set, then --animate, then --marker in order, shows and mutes layers, then does the
+    /// work for each; warnings go to standard error.
     /// @param output what the user named for what is written: with several presets only a folder will do
     [[nodiscard]] Status forEach(
         const std::string& output, const std::function<Status(const NamedPreset&)>& work) const;
