@@ -179,6 +179,7 @@ void MarkerLane::rename(std::size_t marker)
     m_editor = new QLineEdit(toQString(m_markers[marker].name), this);
     m_editor->setObjectName(QStringLiteral("markerName"));
     m_editor->setAccessibleName(tr("Name of the marker"));
+    m_editor->setFrame(false); // which would leave no room for the letters
     m_editor->setMaxLength(static_cast<int>(kMaxMarkerName));
     const int wide = std::max(kMinEditor, static_cast<int>(flag.width()));
     m_editor->setGeometry(std::clamp(static_cast<int>(flag.x()), 0, std::max(0, width() - wide)), 0, wide, kHeight);
