@@ -9,9 +9,12 @@ namespace fumage {
 
 namespace {
 
-/// A member of a marker that is not known here.
+/// A member of a marker that is not known here; null: there is none.
 const std::string* unknownMember(const JsonNode& node)
 {
+    if (node.type != JsonNode::Type::Object) {
+        return nullptr;
+    }
     const auto at = std::find_if(node.keys.begin(), node.keys.end(),
         [](const std::string& key) { return key != kMarkerName && key != kMarkerTime; });
     return at == node.keys.end() ? nullptr : &*at;
@@ -43,13 +46,15 @@ Result<MarkersReading> readMarkers(const JsonNode& node, std::string_view text, 
     if (node.type != JsonNode::Type::Array) {
         return talk.error(node, ErrorCode::WrongType, makeMessage("%1: expected a list in brackets [ ]", kMarkers), {});
     }
-    if (node.items.size() > kMaxMarkers) {
-        return talk.error(node, ErrorCode::TooLarge,
-            makeMessage("%1 markers, at most %2 are possible", node.items.size(), kMaxMarkers), {});
+    const auto known = static_cast<std::size_t>(std::count_if(
+        node.items.begin(), node.items.end(), [](const JsonNode& item) { return unknownMember(item) == nullptr; }));
+    if (known > kMaxMarkers) {
+        return talk.error(
+            node, ErrorCode::TooLarge, makeMessage("%1 markers, at most %2 are possible", known, kMaxMarkers), {});
     }
     MarkersReading reading;
     for (const JsonNode& item : node.items) {
-        if (const std::string* key = item.type == JsonNode::Type::Object ? unknownMember(item) : nullptr) {
+        if (const std::string* key = unknownMember(item)) {
             talk.warn(
                 item, makeMessage("the marker with the unknown member %1 is kept but has no effect", inQuotes(*key)));
             reading.unknown.emplace_back(text.substr(item.begin, item.end - item.begin));

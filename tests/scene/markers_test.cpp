@@ -165,6 +165,17 @@ private slots:
         QCOMPARE(formatPreset(parsePreset(again).value().preset), again);
     }
 
+    void thoseOfLaterVersionsTakeNoRoom()
+    {
+        Preset preset;
+        preset.scene.markers.assign(kMaxMarkers, {"x", 1.0});
+        preset.unknown.push_back({"markers", {}, R"({"name": "a", "frame": 3})", 0, true});
+        const Result<PresetReading> reading = parsePreset(formatPreset(preset));
+        QVERIFY2(reading.ok(), reading ? "" : reading.error().text().c_str());
+        QCOMPARE(reading.value().preset.scene.markers.size(), kMaxMarkers);
+        QCOMPARE(reading.value().preset.unknown.size(), std::size_t{1});
+    }
+
     void brokenOnesAreRefused_data()
     {
         QTest::addColumn<QString>("markers");
