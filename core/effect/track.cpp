@@ -143,7 +143,42 @@ double folded(double time, double length, Extrapolation how)
     return there > length ? 2.0 * length - there : there;
 }
 
-/// The time among the keys that one outside of them stands for.
+bool isFinite(const Parameter& parameter, const KeyFrame& key)
+{
+    if (!std::isfinite(key.seconds)) {
+        return false;
+    }
+    const Numbers numbers = interpolates(parameter.kind) ? numbersOf(key.value) : Numbers{};
+    const glm::vec3 slopes = key.slopeIn + key.slopeOut;
+    return std::isfinite(numbers[0] + numbers[1] + numbers[2]) && std::isfinite(slopes.x + slopes.y + slopes.z);
+}
+
+/// The slope of the piece after a key, at its beginning or at its end, of one component.
+double pieceSlope(const Track& track, std::size_t from, std::size_t component, bool atEnd)
+{
+    switch (track.keys[from].ease) {
+    case Ease::Hold: return 0.0;
+    case Ease::Linear: return secant(track.keys[from], track.keys[from + 1], component);
+    case Ease::Auto:
+    case Ease::Free: break;
+    }
+    return slopeAt(track.keys, atEnd ? from + 1 : from, component, !atEnd);
+}
+
+/// A function of the component, for those that a kind has.
+template <class Slope>
+glm::vec3 slopesOf(Kind kind, const Slope& slope)
+{
+    glm::vec3 slopes(0.0F);
+    const glm::length_t count = kind == Kind::Float ? 1 : 3;
+    for (glm::length_t i = 0; i < count; ++i) {
+        slopes[i] = static_cast<float>(slope(static_cast<std::size_t>(i)));
+    }
+    return slopes;
+}
+
+} // namespace
+
 double timeAmongKeys(const Track& track, double seconds)
 {
     const double first = track.keys.front().seconds;
@@ -156,17 +191,38 @@ double timeAmongKeys(const Track& track, double seconds)
                                       : first + folded(seconds - first, last - first, how);
 }
 
-bool isFinite(const Parameter& parameter, const KeyFrame& key)
+glm::vec3 slopeAtKey(const Track& track, std::size_t key, bool after)
 {
-    if (!std::isfinite(key.seconds)) {
-        return false;
+    if (track.keys.size() < 2 || !bends(track.parameter->kind)) {
+        return glm::vec3(0.0F);
     }
-    const Numbers numbers = interpolates(parameter.kind) ? numbersOf(key.value) : Numbers{};
-    const glm::vec3 slopes = key.slopeIn + key.slopeOut;
-    return std::isfinite(numbers[0] + numbers[1] + numbers[2]) && std::isfinite(slopes.x + slopes.y + slopes.z);
+    const bool isAfter = key == 0 || (after && key + 1 < track.keys.size());
+    return slopesOf(track.parameter->kind, [&](std::size_t component) {
+        return isAfter ? pieceSlope(track, key, component, false) : pieceSlope(track, key - 1, component, true);
+    });
 }
 
-} // namespace
+glm::vec3 slopeBetweenKeys(const Track& track, double seconds)
+{
+    const auto next = std::upper_bound(track.keys.begin(), track.keys.end(), seconds,
+        [](double sought, const KeyFrame& key) { return sought < key.seconds; });
+    if (next == track.keys.begin() || next == track.keys.end() || !bends(track.parameter->kind)) {
+        return glm::vec3(0.0F);
+    }
+    const auto key = static_cast<std::size_t>(next - track.keys.begin()) - 1;
+    const KeyFrame& from = track.keys[key];
+    const double share = (seconds - from.seconds) / (next->seconds - from.seconds);
+    return slopesOf(track.parameter->kind, [&](std::size_t component) {
+        const double begin = pieceSlope(track, key, component, false);
+        const double end = pieceSlope(track, key, component, true);
+        if (from.ease == Ease::Hold || from.ease == Ease::Linear) {
+            return begin;
+        }
+        const double rest = 1.0 - share;
+        return 6.0 * share * rest * secant(from, *next, component) + rest * (1.0 - 3.0 * share) * begin
+            - share * (2.0 - 3.0 * share) * end;
+    });
+}
 
 Value Track::at(double seconds) const
 {

@@ -82,6 +82,24 @@ struct Track {
     return kind == Kind::Float || kind == Kind::Vector || kind == Kind::Direction || kind == Kind::Colour;
 }
 
+/// Whether the way from one value of a kind to the next can be bent: it has slopes.
+[[nodiscard]] constexpr bool bends(Kind kind)
+{
+    return kind == Kind::Float || kind == Kind::Vector || kind == Kind::Colour;
+}
+
+/// The time among its key frames that a time stands for, s: outside of them where they repeat, or the nearest of them.
+[[nodiscard]] double timeAmongKeys(const Track& track, double seconds);
+
+/// How fast the value changes at a key frame, on one side of it, in its unit a second; a number has x alone.
+/// @param key index, below the number of keys
+/// @return 0 beside a piece that holds and where nothing bends; on the outer side of the first and last key the slope
+///         of the inner side
+[[nodiscard]] glm::vec3 slopeAtKey(const Track& track, std::size_t key, bool after);
+/// How fast the value changes at a time between the first and the last key frame, in its unit a second, before it is
+/// brought into the hard range; at a key the slope after it. 0 outside, and where nothing bends.
+[[nodiscard]] glm::vec3 slopeBetweenKeys(const Track& track, double seconds);
+
 /// What keeps a track from being one: no key, keys that are out of order, at the same or at no time, values of another
 /// kind, a parameter that cannot change over time.
 /// @error OutOfRange, WrongType, TooLarge, NotFinite; the place is the parameter's key

@@ -2,6 +2,8 @@
 
 #include "ui/document/parameter_text.h"
 
+#include "core/effect/track_edits.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -44,6 +46,22 @@ std::vector<Track> tracksWith(const Document& document, const std::vector<KeyPla
 bool holds(const std::vector<KeyPlace>& keys, const Track& track, const KeyFrame& key)
 {
     return std::find(keys.begin(), keys.end(), KeyPlace{track.parameter, key.seconds}) != keys.end();
+}
+
+/// Changes how values go on from key frames, as one undo step.
+/// @param change is given each with its track
+template <class Change>
+void changeKeys(Document& document, const std::vector<KeyPlace>& keys, const Change& change)
+{
+    std::vector<Track> tracks = tracksWith(document, keys);
+    for (Track& track : tracks) {
+        for (std::size_t key = 0; key < track.keys.size(); ++key) {
+            if (holds(keys, track, track.keys[key])) {
+                change(track, key);
+            }
+        }
+    }
+    replaceTracks(document, tracks, KeyEdits::tr("Ease of key frames"));
 }
 
 } // namespace
@@ -134,15 +152,21 @@ void removeKeys(Document& document, const std::vector<KeyPlace>& keys)
 
 void setEase(Document& document, const std::vector<KeyPlace>& keys, Ease ease)
 {
-    std::vector<Track> tracks = tracksWith(document, keys);
-    for (Track& track : tracks) {
-        for (KeyFrame& key : track.keys) {
-            if (holds(keys, track, key)) {
-                key = {key.seconds, key.value, ease};
-            }
+    changeKeys(document, keys, [ease](Track& track, std::size_t key) {
+        if (ease == Ease::Free) {
+            freeKey(track, key);
+        } else {
+            track.keys[key] = {track.keys[key].seconds, track.keys[key].value, ease};
         }
-    }
-    replaceTracks(document, tracks, KeyEdits::tr("Ease of key frames"));
+    });
+}
+
+void setLevel(Document& document, const std::vector<KeyPlace>& keys, bool in, bool out)
+{
+    constexpr glm::vec3 kLevel(0.0F);
+    changeKeys(document, keys, [in, out](Track& track, std::size_t key) {
+        setSlopes(track, key, in ? std::optional(kLevel) : std::nullopt, out ? std::optional(kLevel) : std::nullopt);
+    });
 }
 
 void setExtrapolation(Document& document, const Parameter& parameter, Extrapolation before, Extrapolation after)

@@ -42,8 +42,10 @@ void replaceTracks(Document& document, const std::vector<Track>& tracks, const Q
     const std::vector<Track>& base, const std::vector<KeyPlace>& keys, const std::vector<double>& moved);
 /// Takes key frames away; a parameter that loses its last one keeps the value that is shown.
 void removeKeys(Document& document, const std::vector<KeyPlace>& keys);
-/// Sets how values go on from key frames.
+/// Sets how values go on from key frames; free ones begin with the slopes that they have.
 void setEase(Document& document, const std::vector<KeyPlace>& keys, Ease ease);
+/// Lets values come to rest at key frames, or leave them from rest, or both: free ones that are level on that side.
+void setLevel(Document& document, const std::vector<KeyPlace>& keys, bool in, bool out);
 /// Sets what holds before and after the key frames of a parameter.
 void setExtrapolation(Document& document, const Parameter& parameter, Extrapolation before, Extrapolation after);
 
