@@ -27,7 +27,6 @@ void freeKey(Track& track, std::size_t key);
 /// Gives a key frame slopes of its own, in its unit a second; it becomes free. A side without one keeps the slope that
 /// the curve has there. A linear piece before it becomes a free one, where it is to arrive with another slope.
 /// @param key index, below the number of keys
-void setSlopes(
-    Track& track, std::size_t key, const std::optional<glm::vec3>& in, const std::optional<glm::vec3>& out);
+void setSlopes(Track& track, std::size_t key, const std::optional<glm::vec3>& in, const std::optional<glm::vec3>& out);
 
 } // namespace fumage

@@ -163,9 +163,9 @@ void setEase(Document& document, const std::vector<KeyPlace>& keys, Ease ease)
 
 void setLevel(Document& document, const std::vector<KeyPlace>& keys, bool in, bool out)
 {
-    constexpr glm::vec3 kLevel(0.0F);
-    changeKeys(document, keys, [in, out](Track& track, std::size_t key) {
-        setSlopes(track, key, in ? std::optional(kLevel) : std::nullopt, out ? std::optional(kLevel) : std::nullopt);
+    const std::optional<glm::vec3> level(glm::vec3(0.0F));
+    changeKeys(document, keys, [&](Track& track, std::size_t key) {
+        setSlopes(track, key, in ? level : std::nullopt, out ? level : std::nullopt);
     });
 }
 

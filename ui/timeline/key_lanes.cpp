@@ -1,10 +1,9 @@
 #include "ui/timeline/key_lanes.h"
 
 #include "ui/document/parameter_text.h"
-#include "ui/timeline/ease_icon.h"
 #include "ui/timeline/key_clipboard.h"
 #include "ui/timeline/key_mends.h"
-#include "ui/timeline/key_table_menu.h"
+#include "ui/timeline/key_menu.h"
 #include "ui/timeline/timeline_ruler.h"
 #include "ui/widgets/diamond.h"
 #include "ui/widgets/field_keys.h"
@@ -19,7 +18,6 @@
 #include <QToolTip>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fumage::ui {
@@ -31,45 +29,39 @@ constexpr double kRadius = 4.5;
 
 } // namespace
 
-KeyLanes::KeyLanes(Document& document, Player& player, const TimelineRuler& ruler, QWidget* parent)
+KeyLanes::KeyLanes(
+    Document& document, Player& player, const TimelineRuler& ruler, KeySelection& selection, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_player(player)
     , m_ruler(ruler)
+    , m_selection(selection)
 {
     setObjectName(QStringLiteral("keyLanes"));
     setAccessibleName(tr("Key frames"));
     setToolTip(tr("Drag key frames to other times; Alt stretches, Delete removes, a double-click adds one"));
     setFocusPolicy(Qt::ClickFocus);
-    connect(&document, &Document::effectChanged, this, &KeyLanes::sync);
-    connect(&document, &Document::selectionChanged, this, &KeyLanes::sync);
+    connect(&selection, &KeySelection::tracksChanged, this, &KeyLanes::fitHeight);
+    connect(&selection, &KeySelection::changed, this, qOverload<>(&QWidget::update));
     connect(&player, &Player::frameChanged, this, qOverload<>(&QWidget::update));
     connect(&player, &Player::settingsChanged, this, qOverload<>(&QWidget::update));
-    sync();
+    fitHeight();
+}
+
+void KeyLanes::setMarksShown(bool marks)
+{
+    m_marksShown = marks;
+    update();
 }
 
 QSize KeyLanes::sizeHint() const
 {
-    return {400, kLaneHeight * static_cast<int>(m_tracks.size())};
+    return {400, kLaneHeight * static_cast<int>(m_selection.tracks().size())};
 }
 
-void KeyLanes::sync()
+void KeyLanes::fitHeight()
 {
-    const Tracks tracks = m_document.scene().allTracks(m_document.layer());
-    std::vector<Track> now(tracks.all().begin(), tracks.all().end());
-    if (now == m_tracks) {
-        return;
-    }
-    const bool isAsHigh = now.size() == m_tracks.size();
-    m_tracks = std::move(now);
-    std::erase_if(m_selected, [this](const KeyPlace& key) {
-        return std::none_of(m_tracks.begin(), m_tracks.end(), [&](const Track& track) {
-            return track.parameter == key.parameter
-                && std::any_of(track.keys.begin(), track.keys.end(),
-                    [&](const KeyFrame& each) { return each.seconds == key.seconds; });
-        });
-    });
-    if (!isAsHigh) {
+    if (height() != sizeHint().height()) {
         setFixedHeight(sizeHint().height());
         emit heightChanged();
     }
@@ -90,15 +82,15 @@ double KeyLanes::secondsAt(double x) const
 const Track* KeyLanes::trackAt(double y) const
 {
     const auto lane = static_cast<std::size_t>(std::max(0.0, y) / kLaneHeight);
-    return lane < m_tracks.size() ? &m_tracks[lane] : nullptr;
+    return lane < m_selection.tracks().size() ? &m_selection.tracks()[lane] : nullptr;
 }
 
 QPointF KeyLanes::placeOf(const KeyPlace& key) const
 {
-    const auto lane = std::find_if(
-        m_tracks.begin(), m_tracks.end(), [&](const Track& track) { return track.parameter == key.parameter; });
+    const auto lane = std::find_if(m_selection.tracks().begin(), m_selection.tracks().end(),
+        [&](const Track& track) { return track.parameter == key.parameter; });
     return {m_ruler.xOf(key.seconds * frameRate()),
-        (static_cast<double>(lane - m_tracks.begin()) + 0.5) * static_cast<double>(kLaneHeight)};
+        (static_cast<double>(lane - m_selection.tracks().begin()) + 0.5) * static_cast<double>(kLaneHeight)};
 }
 
 std::optional<KeyPlace> KeyLanes::keyUnder(const QPointF& at) const
@@ -116,15 +108,10 @@ std::optional<KeyPlace> KeyLanes::keyUnder(const QPointF& at) const
     return nearest;
 }
 
-bool KeyLanes::isSelected(const KeyPlace& key) const
-{
-    return std::find(m_selected.begin(), m_selected.end(), key) != m_selected.end();
-}
-
 std::vector<KeyPlace> KeyLanes::keysIn(const QRectF& box) const
 {
     std::vector<KeyPlace> keys;
-    for (const Track& track : m_tracks) {
+    for (const Track& track : m_selection.tracks()) {
         for (const KeyFrame& key : track.keys) {
             const KeyPlace place{track.parameter, key.seconds};
             if (box.contains(placeOf(place))) {
@@ -133,21 +120,6 @@ std::vector<KeyPlace> KeyLanes::keysIn(const QRectF& box) const
         }
     }
     return keys;
-}
-
-void KeyLanes::select(const KeyPlace& key, Qt::KeyboardModifiers modifiers)
-{
-    const bool adds = modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::ShiftModifier);
-    if (isSelected(key)) {
-        if (modifiers.testFlag(Qt::ControlModifier)) {
-            std::erase(m_selected, key);
-        }
-        return;
-    }
-    if (!adds) {
-        m_selected.clear();
-    }
-    m_selected.push_back(key);
 }
 
 void KeyLanes::mousePressEvent(QMouseEvent* event)
@@ -160,15 +132,18 @@ void KeyLanes::mousePressEvent(QMouseEvent* event)
     m_press = m_at = event->position();
     m_hasMoved = false;
     if (const std::optional<KeyPlace> key = keyUnder(m_press)) {
-        select(*key, event->modifiers());
+        m_selection.press(*key, event->modifiers());
         m_drag = Drag::Keys;
         m_gesture = m_document.beginGesture();
-        m_base = m_tracks;
-        m_dragged = m_selected;
+        m_base = m_selection.tracks();
+        m_dragged = m_selection.keys();
     } else {
         m_drag = Drag::Box;
         if (!event->modifiers().testFlag(Qt::ShiftModifier)) {
-            m_selected.clear();
+            m_selection.select({});
+        }
+        if (const Track* track = trackAt(m_press.y())) {
+            m_selection.show(*track->parameter, event->modifiers().testFlag(Qt::ControlModifier));
         }
     }
     update();
@@ -182,7 +157,7 @@ void KeyLanes::mouseMoveEvent(QMouseEvent* event)
     if (m_drag == Drag::Keys && m_hasMoved) {
         dragKeys(m_at, event->modifiers().testFlag(Qt::AltModifier));
     } else if (m_drag == Drag::Box) {
-        m_selected = keysIn(QRectF(m_press, m_at).normalized());
+        m_selection.select(keysIn(QRectF(m_press, m_at).normalized()));
     }
     update();
 }
@@ -202,13 +177,11 @@ void KeyLanes::dragKeys(const QPointF& to, bool stretches)
         times.push_back(std::round(time * frameRate()) / frameRate());
     }
     replaceTracks(m_document, withMovedKeys(m_base, m_dragged, times), tr("Move key frames"), m_gesture);
-    m_selected.clear();
+    std::vector<KeyPlace> moved;
     for (std::size_t i = 0; i < m_dragged.size(); ++i) {
-        const KeyPlace key{m_dragged[i].parameter, times[i]};
-        if (!isSelected(key)) {
-            m_selected.push_back(key);
-        }
+        moved.push_back({m_dragged[i].parameter, times[i]});
     }
+    m_selection.select(moved);
 }
 
 void KeyLanes::mouseReleaseEvent(QMouseEvent* event)
@@ -232,7 +205,7 @@ void KeyLanes::mouseDoubleClickEvent(QMouseEvent* event)
         const Parameter& parameter = *track->parameter;
         m_player.setFrame(static_cast<int>(std::lround(secondsAt(event->position().x()) * frameRate())));
         addKey(m_document, parameter);
-        m_selected = {{&parameter, m_document.seconds()}};
+        m_selection.select({{&parameter, m_document.seconds()}});
     }
 }
 
@@ -240,7 +213,7 @@ bool KeyLanes::event(QEvent* event)
 {
     if (event->type() == DragCancel::type() && m_drag == Drag::Keys) {
         replaceTracks(m_document, m_base, {}, m_gesture);
-        m_selected = m_dragged;
+        m_selection.select(m_dragged);
         event->accept();
         return true;
     }
@@ -264,68 +237,27 @@ bool KeyLanes::event(QEvent* event)
 
 void KeyLanes::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Delete && !m_selected.empty()) {
-        removeKeys(m_document, m_selected);
+    if (event->key() == Qt::Key_Delete && !m_selection.keys().empty()) {
+        removeKeys(m_document, m_selection.keys());
     } else if (event->matches(QKeySequence::Copy)) {
-        copyKeys(m_document, m_selected);
+        copyKeys(m_document, m_selection.keys());
     } else if (event->matches(QKeySequence::Paste)) {
-        m_selected = pasteKeys(m_document);
+        m_selection.select(pasteKeys(m_document));
     } else if (event->matches(QKeySequence::SelectAll)) {
-        m_selected = keysIn(rect().adjusted(-width(), 0, width(), 0));
+        m_selection.select(keysIn(rect().adjusted(-width(), 0, width(), 0)));
     } else {
         QWidget::keyPressEvent(event);
     }
     update();
 }
 
-void KeyLanes::addEaseMenu(QMenu& menu)
-{
-    static constexpr std::array kOffered{Ease::Auto, Ease::Linear, Ease::Hold};
-    const std::array names{tr("Smooth"), tr("Linear"), tr("Hold")};
-    for (std::size_t i = 0; i < kOffered.size(); ++i) {
-        menu.addAction(easeIcon(kOffered[i], palette().text().color()), names[i], this,
-                [this, ease = kOffered[i]] { setEase(m_document, m_selected, ease); })
-            ->setEnabled(!m_selected.empty());
-    }
-    menu.addSeparator();
-}
-
-void KeyLanes::addOutsideMenu(QMenu& menu, const Track& track)
-{
-    const std::array names{tr("Hold"), tr("Repeat"), tr("Back and forth")};
-    for (const bool isAfter : {false, true}) {
-        QMenu* sides = menu.addMenu(isAfter ? tr("After the last key frame") : tr("Before the first key frame"));
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const auto how = static_cast<Extrapolation>(i);
-            QAction* action = sides->addAction(names[i], this, [this, how, isAfter, track] {
-                setExtrapolation(
-                    m_document, *track.parameter, isAfter ? track.before : how, isAfter ? how : track.after);
-            });
-            action->setCheckable(true);
-            action->setChecked(how == (isAfter ? track.after : track.before));
-        }
-    }
-    menu.addSeparator();
-}
-
 void KeyLanes::contextMenuEvent(QContextMenuEvent* event)
 {
-    if (const std::optional<KeyPlace> key = keyUnder(event->pos()); key && !isSelected(*key)) {
-        m_selected = {*key};
-        update();
+    if (const std::optional<KeyPlace> key = keyUnder(event->pos()); key && !m_selection.contains(*key)) {
+        m_selection.select({*key});
     }
     QMenu menu(this);
-    menu.setObjectName(QStringLiteral("keyMenu"));
-    addEaseMenu(menu);
-    if (const Track* track = trackAt(event->pos().y())) {
-        addOutsideMenu(menu, *track);
-        addKeyMends(menu, m_document, *track);
-        addKeyTable(menu, m_document, *track, askInDialog, this);
-    }
-    menu.addAction(tr("Copy"), this, [this] { copyKeys(m_document, m_selected); })->setEnabled(!m_selected.empty());
-    menu.addAction(tr("Paste at the time that is shown"), this, [this] { m_selected = pasteKeys(m_document); })
-        ->setEnabled(hasCopiedKeys());
-    menu.addAction(tr("Remove"), this, [this] { removeKeys(m_document, m_selected); })->setEnabled(!m_selected.empty());
+    fillKeyMenu(menu, m_document, m_selection, trackAt(event->pos().y()));
     menu.exec(event->globalPos());
 }
 
@@ -333,7 +265,9 @@ void KeyLanes::paintLane(QPainter& painter, const Track& track, double top) cons
 {
     const Parameter& parameter = *track.parameter;
     QColor faint = palette().text().color();
-    faint.setAlpha(28);
+    constexpr int kFaint = 28;
+    constexpr int kMarked = 64;
+    faint.setAlpha(m_marksShown && m_selection.isShown(parameter) ? kMarked : kFaint);
     painter.fillRect(QRectF(0.0, top, width(), kLaneHeight - 1.0), faint);
     if (parameter.kind == Kind::Float) {
         const auto valueAt = [&](double seconds) { return std::get<float>(track.at(seconds)); };
@@ -363,7 +297,7 @@ void KeyLanes::paintLane(QPainter& painter, const Track& track, double top) cons
         Qt::AlignLeft | Qt::AlignVCenter,
         (faults.isEmpty() ? QString() : QStringLiteral("⚠ ")) + fullLabelOf(parameter));
     for (const KeyFrame& key : track.keys) {
-        const bool chosen = isSelected({&parameter, key.seconds});
+        const bool chosen = m_selection.contains({&parameter, key.seconds});
         paintDiamond(painter, placeOf({&parameter, key.seconds}), kRadius,
             chosen ? palette().highlight().color() : palette().text().color(), true);
     }
@@ -373,8 +307,8 @@ void KeyLanes::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    for (std::size_t lane = 0; lane < m_tracks.size(); ++lane) {
-        paintLane(painter, m_tracks[lane], static_cast<double>(lane) * kLaneHeight);
+    for (std::size_t lane = 0; lane < m_selection.tracks().size(); ++lane) {
+        paintLane(painter, m_selection.tracks()[lane], static_cast<double>(lane) * kLaneHeight);
     }
     const double x = m_ruler.xOf(m_player.frame());
     painter.setPen(QPen(palette().highlight().color(), 1.0));

@@ -1,14 +1,12 @@
 #pragma once
 
-#include "ui/document/key_edits.h"
+#include "ui/timeline/key_selection.h"
 #include "ui/timeline/player.h"
 
 #include <QWidget>
 
 #include <optional>
 #include <vector>
-
-class QMenu;
 
 namespace fumage::ui {
 
@@ -22,9 +20,12 @@ class KeyLanes : public QWidget {
 
 public:
     /// @param ruler that says where a frame lies
-    KeyLanes(Document& document, Player& player, const TimelineRuler& ruler, QWidget* parent);
+    /// @param selection that it shares with the graph
+    KeyLanes(Document& document, Player& player, const TimelineRuler& ruler, KeySelection& selection, QWidget* parent);
 
-    [[nodiscard]] const std::vector<KeyPlace>& selected() const { return m_selected; }
+    [[nodiscard]] const std::vector<KeyPlace>& selected() const { return m_selection.keys(); }
+    /// Whether lanes are marked whose curves the graph shows.
+    void setMarksShown(bool marks);
     /// Where a key frame is painted.
     [[nodiscard]] QPointF placeOf(const KeyPlace& key) const;
 
@@ -52,24 +53,20 @@ private:
         Keys,
         Box,
     };
-    void sync();
+    void fitHeight();
     [[nodiscard]] double frameRate() const;
     [[nodiscard]] double secondsAt(double x) const;
     [[nodiscard]] const Track* trackAt(double y) const;
     [[nodiscard]] std::optional<KeyPlace> keyUnder(const QPointF& at) const;
-    [[nodiscard]] bool isSelected(const KeyPlace& key) const;
     [[nodiscard]] std::vector<KeyPlace> keysIn(const QRectF& box) const;
-    void select(const KeyPlace& key, Qt::KeyboardModifiers modifiers);
     void dragKeys(const QPointF& to, bool stretches);
     void paintLane(QPainter& painter, const Track& track, double top) const;
-    void addEaseMenu(QMenu& menu);
-    void addOutsideMenu(QMenu& menu, const Track& track);
 
     Document& m_document;
     Player& m_player;
     const TimelineRuler& m_ruler;
-    std::vector<Track> m_tracks; ///< a lane each
-    std::vector<KeyPlace> m_selected;
+    KeySelection& m_selection; ///< its tracks have a lane each
+    bool m_marksShown = false;
     Drag m_drag = Drag::None;
     QPointF m_press;
     QPointF m_at;
