@@ -84,6 +84,18 @@ void addKey(Document& document, const Parameter& parameter)
         KeyEdits::tr("Key %1").arg(fullLabelOf(parameter)));
 }
 
+std::optional<double> addKeyOnCurve(Document& document, const Parameter& parameter, double seconds)
+{
+    const Track* there = document.track(parameter);
+    if (there == nullptr || !document.canEdit(parameter)) {
+        return std::nullopt;
+    }
+    Track track = *there;
+    const double time = insertKey(track, seconds);
+    replaceTracks(document, {track}, KeyEdits::tr("Key %1").arg(fullLabelOf(parameter)));
+    return time;
+}
+
 void removeKey(Document& document, const Parameter& parameter)
 {
     const Track* track = document.track(parameter);

@@ -4,6 +4,7 @@
 
 #include "core/scene/key_faults.h"
 
+#include <optional>
 #include <vector>
 
 namespace fumage::ui {
@@ -20,6 +21,9 @@ enum class KeyState {
 
 /// Puts a key frame at the time that is shown, with the value that the parameter has there.
 void addKey(Document& document, const Parameter& parameter);
+/// Puts a key frame on the curve of a parameter that changes over time, without moving the curve: see insertKey().
+/// @return its time, s; nothing: the parameter does not change over time, or its layer is locked
+std::optional<double> addKeyOnCurve(Document& document, const Parameter& parameter, double seconds);
 /// Takes the key frame at the time that is shown away; with the last one the parameter keeps its value.
 void removeKey(Document& document, const Parameter& parameter);
 /// Takes all key frames away; the parameter keeps the value that is shown.

@@ -49,6 +49,18 @@ std::vector<const Parameter*> essentialParameters()
     return essentials;
 }
 
+/// A button beside the search that leaves rows out.
+QToolButton* makeFilterButton(QWidget* parent, const QString& name, const QString& sign, const QString& tip)
+{
+    auto* button = new QToolButton(parent);
+    button->setObjectName(name);
+    button->setText(sign);
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    return button;
+}
+
 } // namespace
 
 EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* parent)
@@ -57,7 +69,10 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     , m_layers(new LayerList(document, solo, this))
     , m_tabs(new QTabBar(this))
     , m_search(new QLineEdit(this))
-    , m_onlyChanged(new QToolButton(this))
+    , m_onlyChanged(makeFilterButton(this, QStringLiteral("onlyChanged"), QStringLiteral("•"),
+          tr("Only the parameters that differ from the preset")))
+    , m_onlyAnimated(makeFilterButton(
+          this, QStringLiteral("onlyAnimated"), QStringLiteral("◆"), tr("Only the parameters that have key frames")))
     , m_nothing(new QLabel(this))
     , m_scroll(new QScrollArea(this))
 {
@@ -66,11 +81,6 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     m_search->setAccessibleName(tr("Search parameters"));
     m_search->setPlaceholderText(tr("Search parameters"));
     m_search->setClearButtonEnabled(true);
-    m_onlyChanged->setObjectName(QStringLiteral("onlyChanged"));
-    m_onlyChanged->setText(QStringLiteral("•"));
-    m_onlyChanged->setCheckable(true);
-    m_onlyChanged->setToolTip(tr("Only the parameters that differ from the preset"));
-    m_onlyChanged->setAccessibleName(m_onlyChanged->toolTip());
     m_nothing->setObjectName(QStringLiteral("parameterSearch.nothing"));
     m_nothing->setProperty("role", QStringLiteral("secondary"));
     m_nothing->setWordWrap(true);
@@ -88,6 +98,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_search, 1);
     bar->addWidget(m_onlyChanged);
+    bar->addWidget(m_onlyAnimated);
     top->addLayout(bar);
     top->addWidget(m_nothing);
     makeTabs();
@@ -97,6 +108,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     layout->addWidget(m_scroll, 1);
     connect(m_search, &QLineEdit::textChanged, this, &EffectPanel::filter);
     connect(m_onlyChanged, &QToolButton::toggled, this, &EffectPanel::filter);
+    connect(m_onlyAnimated, &QToolButton::toggled, this, &EffectPanel::filter);
     connect(&document, &Document::effectChanged, this, &EffectPanel::follow);
     connect(&document, &Document::selectionChanged, this, &EffectPanel::followLayers);
     connect(&document, &Document::titleChanged, this, &EffectPanel::sync);
@@ -174,7 +186,7 @@ void EffectPanel::follow(const EffectChange& change)
     for (ParameterGroup* group : m_groups) {
         group->sync(change.parameters);
     }
-    if (m_onlyChanged->isChecked()) {
+    if (only().any()) {
         filter();
     }
 }
@@ -198,9 +210,9 @@ void EffectPanel::filter()
 {
     const QString text = m_search->text();
     const bool isSearched = !text.trimmed().isEmpty();
-    const bool onlyChanged = m_onlyChanged->isChecked();
+    const bool isWhole = !isSearched && !only().any();
     // A search and a list of changes are of both, and say which is which.
-    m_tabs->setVisible(m_hasTabs && !isSearched && !onlyChanged);
+    m_tabs->setVisible(m_hasTabs && isWhole);
     for (ParameterGroup* group : m_groups) {
         group->setScope(shownScope());
         const QString owner = group->has(Scope::Scene) ? tr("Scene") : m_tabs->tabText(0);
@@ -215,9 +227,9 @@ void EffectPanel::filter()
             part.assign(next, next + static_cast<std::ptrdiff_t>(group->size()));
             next += static_cast<std::ptrdiff_t>(group->size());
         }
-        ranked.emplace_back(group->filter(part, onlyChanged), group);
+        ranked.emplace_back(group->filter(part, only()), group);
     }
-    m_groups.front()->setVisible(!isSearched && !onlyChanged && ranked.front().first > 0.0);
+    m_groups.front()->setVisible(isWhole && ranked.front().first > 0.0);
     const bool any = std::any_of(ranked.begin() + 1, ranked.end(), [](const auto& one) { return one.first > 0.0; });
     if (isSearched) { // the best on top
         std::stable_sort(
@@ -227,8 +239,25 @@ void EffectPanel::filter()
     std::transform(ranked.begin(), ranked.end(), std::back_inserter(order), [](const auto& one) { return one.second; });
     arrange(*m_list, order);
     m_nothing->setVisible(!any);
-    m_nothing->setText(isSearched ? tr("No parameter matches “%1”. Try a part of a word, or another word.").arg(text)
-                                  : tr("Nothing differs from the preset."));
+    m_nothing->setText(nothingText());
+}
+
+RowFilter EffectPanel::only() const
+{
+    return {m_onlyChanged->isChecked(), m_onlyAnimated->isChecked()};
+}
+
+QString EffectPanel::nothingText() const
+{
+    const bool isAnyAnimated = !m_document.scene().allTracks(m_document.layer()).all().empty();
+    if (only().animated && !isAnyAnimated) {
+        return tr("Nothing has key frames: the diamond beside a parameter sets one.");
+    }
+    if (!m_search->text().trimmed().isEmpty()) {
+        return tr("No parameter matches “%1”. Try a part of a word, or another word.").arg(m_search->text());
+    }
+    return only().animated && only().changed ? tr("Nothing that has key frames differs from the preset.")
+                                             : tr("Nothing differs from the preset.");
 }
 
 void EffectPanel::showGroup(std::string_view name)
@@ -237,6 +266,7 @@ void EffectPanel::showGroup(std::string_view name)
     if (group != nullptr) {
         m_search->clear();
         m_onlyChanged->setChecked(false);
+        m_onlyAnimated->setChecked(false);
         m_tabs->setCurrentIndex(group->has(Scope::Layer) ? 0 : 1);
         group->setOpen(true);
         // The layout has to know how tall the group is now before the bar can go there.

@@ -46,6 +46,10 @@ private:
     void sync();
     void follow(const EffectChange& change);
     void filter();
+    /// What is wanted of the rows, beside what is searched for.
+    [[nodiscard]] RowFilter only() const;
+    /// Why nothing is shown.
+    [[nodiscard]] QString nothingText() const;
     void foldAll(bool open);
     void makeTabs();
     /// Tabs of the layer and of the scene, where there is more than one layer.
@@ -60,6 +64,7 @@ private:
     bool m_hasTabs = false;
     QLineEdit* m_search;
     QToolButton* m_onlyChanged;
+    QToolButton* m_onlyAnimated;
     QLabel* m_nothing; ///< says that nothing was found
     QScrollArea* m_scroll;
     QVBoxLayout* m_list = nullptr; ///< of the groups

@@ -100,11 +100,11 @@ void ParameterGroup::sync(const std::vector<const Parameter*>& changed)
 void ParameterGroup::showRows()
 {
     // While something is searched for, what is found is seen, folded or not.
-    const bool open = isOpen() || m_isSearched || m_onlyChanged;
+    const bool open = isOpen() || m_isSearched || m_only.any();
     m_content->setVisible(open);
     m_heading->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        m_rows[i]->setVisible(fumage::isVisible(m_rows[i]->parameter(), m_document.effect()) && isWanted(i));
+        m_rows[i]->setVisible(isOfUse(i) && isWanted(i));
     }
     showMark();
 }
@@ -117,10 +117,17 @@ void ParameterGroup::showMark()
         + (m_owner.isEmpty() ? QString() : QStringLiteral(" · ") + m_owner));
 }
 
+bool ParameterGroup::isOfUse(std::size_t row) const
+{
+    // Key frames are in the file and in the timeline, of use or not.
+    return m_only.animated || fumage::isVisible(m_rows[row]->parameter(), m_document.effect());
+}
+
 bool ParameterGroup::isWanted(std::size_t row) const
 {
     const bool isInScope = !m_scope || m_rows[row]->stored().scope == *m_scope;
-    return isInScope && (!m_isSearched || m_scores[row] > 0.0) && (m_rows[row]->isChanged() || !m_onlyChanged);
+    return isInScope && (!m_isSearched || m_scores[row] > 0.0) && (m_rows[row]->isChanged() || !m_only.changed)
+        && (m_rows[row]->isAnimated() || !m_only.animated);
 }
 
 bool ParameterGroup::has(Scope scope) const
@@ -135,19 +142,17 @@ void ParameterGroup::setOwner(const QString& owner)
     showMark();
 }
 
-double ParameterGroup::filter(const std::vector<double>& scores, bool onlyChanged)
+double ParameterGroup::filter(const std::vector<double>& scores, RowFilter only)
 {
     m_isSearched = !scores.empty();
     m_scores = m_isSearched ? scores : std::vector<double>(m_rows.size(), 0.0);
-    m_onlyChanged = onlyChanged;
+    m_only = only;
     double best = 0.0;
     std::vector<std::pair<double, ParameterRow*>> ranked;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         ranked.emplace_back(m_scores[i], m_rows[i]);
         constexpr double kUnseen = 1e-3; // found, but of no use as the effect stands: it gives its group no place
-        const double score = !fumage::isVisible(m_rows[i]->parameter(), m_document.effect()) ? kUnseen
-            : m_isSearched                                                                   ? m_scores[i]
-                                                                                             : 1.0;
+        const double score = !isOfUse(i) ? kUnseen : m_isSearched ? m_scores[i] : 1.0;
         best = isWanted(i) ? std::max(best, score) : best;
     }
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -15,6 +15,13 @@ namespace fumage::ui {
 /// The group that shows rows of others once more.
 inline const QString kEssentialsName = QStringLiteral("essentials");
 
+/// Which rows are wanted, of all that there are.
+struct RowFilter {
+    bool changed = false; ///< those that differ from the preset
+    bool animated = false; ///< those that have key frames
+    [[nodiscard]] bool any() const { return changed || animated; }
+};
+
 /// A group of parameters under a heading that folds it.
 class ParameterGroup : public QWidget {
     Q_OBJECT
@@ -36,7 +43,7 @@ public:
     /// Shows the rows that are found and of use as the effect stands, the best first.
     /// @param scores of the rows, see SearchIndex; empty: nothing is searched for
     /// @return the best of those that are wanted; 0: none is
-    double filter(const std::vector<double>& scores, bool onlyChanged);
+    double filter(const std::vector<double>& scores, RowFilter only);
 
     /// Whether a row of it belongs to the layer that is edited, or to what all layers share.
     [[nodiscard]] bool has(Scope scope) const;
@@ -62,6 +69,8 @@ protected:
 private:
     void showRows();
     void showMark();
+    /// Whether a row has a place in the panel as the effect stands.
+    [[nodiscard]] bool isOfUse(std::size_t row) const;
     [[nodiscard]] bool isWanted(std::size_t row) const;
     [[nodiscard]] std::vector<Assignment> pasted() const;
 
@@ -73,7 +82,7 @@ private:
     std::vector<double> m_scores; ///< of the rows
     bool m_isSearched = false;
     QString m_label;
-    bool m_onlyChanged = false;
+    RowFilter m_only;
     std::optional<Scope> m_scope;
     QString m_owner;
 };

@@ -37,6 +37,8 @@ public:
     void prefixNames(const QString& prefix);
     /// Whether the document differs from the preset here.
     [[nodiscard]] bool isChanged() const { return m_state.changed; }
+    /// Whether the parameter has key frames; one that is derived has none of its own.
+    [[nodiscard]] bool isAnimated() const { return m_document.track(parameter()) != nullptr; }
 
 protected:
     bool event(QEvent* event) override;

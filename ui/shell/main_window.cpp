@@ -77,6 +77,7 @@ MainWindow::MainWindow(AppServices& services)
     connectPlayActions(m_actions, m_player);
     connectKeyActions(m_actions, m_player, m_document);
     connectMarkerActions(m_actions, m_player, m_document);
+    connectGraphAction(m_actions, *m_timeline, services.settings());
     connectWindowActions();
     connectViews();
     connectPresets();

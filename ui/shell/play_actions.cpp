@@ -3,7 +3,9 @@
 #include "ui/document/key_edits.h"
 #include "ui/document/marker_edits.h"
 #include "ui/shell/action_table.h"
+#include "ui/shell/settings.h"
 #include "ui/timeline/player.h"
+#include "ui/timeline/timeline_bar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +64,15 @@ void connectMarkerActions(const ActionSet& actions, Player& player, Document& do
     actions.on("play.addMarker", &player, [&document] { addMarkerHere(document); });
     actions.on("play.nextMarker", &player, [go] { go(true); });
     actions.on("play.previousMarker", &player, [go] { go(false); });
+}
+
+void connectGraphAction(const ActionSet& actions, TimelineBar& timeline, Settings& settings)
+{
+    QAction& action = actions.get("play.graph");
+    QObject::connect(&action, &QAction::toggled, &timeline, &TimelineBar::setShowsGraph);
+    QObject::connect(&timeline, &TimelineBar::graphToggled, &action, &QAction::setChecked);
+    QObject::connect(&timeline, &TimelineBar::graphToggled, &settings, &Settings::setShowsGraph);
+    timeline.setShowsGraph(settings.showsGraph());
 }
 
 } // namespace fumage::ui

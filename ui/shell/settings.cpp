@@ -18,6 +18,7 @@ const QString kTheme = QStringLiteral("face/theme");
 const QString kLanguage = QStringLiteral("face/language");
 const QString kNavigation = QStringLiteral("viewport/navigation");
 const QString kStart = QStringLiteral("start/shown");
+const QString kGraph = QStringLiteral("timeline/graph");
 const QString kOpenGl = QStringLiteral("viewport/opengl");
 const QString kPictures = QStringLiteral("viewport/megabytes");
 const QString kKnowsQueue = QStringLiteral("exports/shown");
@@ -136,6 +137,16 @@ bool Settings::showsStartDialog() const
 void Settings::setShowsStartDialog(bool shows)
 {
     m_settings.setValue(kStart, shows);
+}
+
+bool Settings::showsGraph() const
+{
+    return m_settings.value(kGraph, false).toBool();
+}
+
+void Settings::setShowsGraph(bool shows)
+{
+    m_settings.setValue(kGraph, shows);
 }
 
 OpenGlChoice Settings::openGl() const

@@ -42,6 +42,9 @@ public:
     void setNavigationStyle(NavigationStyle style);
     [[nodiscard]] bool showsStartDialog() const;
     void setShowsStartDialog(bool shows);
+    /// Whether the timeline shows the graph of key frames.
+    [[nodiscard]] bool showsGraph() const;
+    void setShowsGraph(bool shows);
 
     /// Takes effect with the next start.
     [[nodiscard]] OpenGlChoice openGl() const;

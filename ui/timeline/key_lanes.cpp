@@ -2,6 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/timeline/key_clipboard.h"
+#include "ui/timeline/key_drag.h"
 #include "ui/timeline/key_mends.h"
 #include "ui/timeline/key_menu.h"
 #include "ui/timeline/timeline_ruler.h"
@@ -165,23 +166,11 @@ void KeyLanes::mouseMoveEvent(QMouseEvent* event)
 void KeyLanes::dragKeys(const QPointF& to, bool stretches)
 {
     const double from = secondsAt(m_press.x());
-    double first = kMaxKeySeconds;
-    for (const KeyPlace& key : m_dragged) {
-        first = std::min(first, key.seconds);
-    }
-    const double way = std::max(-first, secondsAt(to.x()) - from);
-    const double factor = from > first ? std::max(0.0, (secondsAt(to.x()) - first) / (from - first)) : 1.0;
-    std::vector<double> times;
-    for (const KeyPlace& key : m_dragged) {
-        const double time = stretches ? first + (key.seconds - first) * factor : key.seconds + way;
-        times.push_back(std::round(time * frameRate()) / frameRate());
-    }
+    const double now = secondsAt(to.x());
+    const std::vector<double> times =
+        stretches ? stretchedTimes(m_dragged, from, now, frameRate()) : movedTimes(m_dragged, now - from, frameRate());
     replaceTracks(m_document, withMovedKeys(m_base, m_dragged, times), tr("Move key frames"), m_gesture);
-    std::vector<KeyPlace> moved;
-    for (std::size_t i = 0; i < m_dragged.size(); ++i) {
-        moved.push_back({m_dragged[i].parameter, times[i]});
-    }
-    m_selection.select(moved);
+    m_selection.select(keysAt(m_dragged, times));
 }
 
 void KeyLanes::mouseReleaseEvent(QMouseEvent* event)

@@ -43,8 +43,10 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     , m_controls(new QHBoxLayout)
     , m_ruler(new TimelineRuler(player, this))
     , m_markers(new MarkerLane(document, player, *m_ruler, this))
-    , m_lanes(new KeyLanes(document, player, *m_ruler, this))
+    , m_keys(new KeySelection(document, this))
+    , m_lanes(new KeyLanes(document, player, *m_ruler, *m_keys, this))
     , m_lanesView(new QScrollArea(this))
+    , m_graph(new KeyGraph(document, player, *m_ruler, *m_keys, this))
     , m_frame(new WholeBox(this))
     , m_time(new QLabel(this))
 {
@@ -77,17 +79,33 @@ void TimelineBar::addLanes(QVBoxLayout& layout)
     m_lanesView->setWidgetResizable(true);
     m_lanesView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout.addWidget(m_lanesView);
+    layout.addWidget(m_graph);
     connect(m_lanes, &KeyLanes::heightChanged, this, &TimelineBar::showLanes);
     showLanes();
 }
 
 void TimelineBar::showLanes()
 {
-    constexpr int kShown = 6;
+    constexpr int kAlone = 6;
+    constexpr int kAboveTheGraph = 4;
     const int height = m_lanes->sizeHint().height();
-    m_lanesView->setFixedHeight(std::min(height, kShown * KeyLanes::kLaneHeight));
+    const int shown = m_showsGraph ? kAboveTheGraph : kAlone;
+    m_lanesView->setFixedHeight(std::min(height, shown * KeyLanes::kLaneHeight));
     m_lanesView->setVisible(height > 0);
+    m_lanes->setMarksShown(m_showsGraph);
+    m_graph->setVisible(height > 0 && m_showsGraph);
     updateGeometry();
+}
+
+void TimelineBar::setShowsGraph(bool shows)
+{
+    if (shows == m_showsGraph) {
+        return;
+    }
+    m_showsGraph = shows;
+    m_graphButton->setChecked(shows);
+    showLanes();
+    emit graphToggled(shows);
 }
 
 void TimelineBar::addButtons(QHBoxLayout& controls)
@@ -103,7 +121,10 @@ void TimelineBar::addButtons(QHBoxLayout& controls)
     m_repeat = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"),
         tr("Repeat playback: start again after the last frame, whether it fits the first or not"));
     m_repeat->setCheckable(true);
-    for (QToolButton* button : {start, back, m_play, forward, end, m_repeat}) {
+    m_graphButton = makeIconButton(this, QStringLiteral("graphButton"), QStringLiteral("graph"),
+        tr("Show the curves of key frames in a graph (Shift+G)"));
+    m_graphButton->setCheckable(true);
+    for (QToolButton* button : {start, back, m_play, forward, end, m_repeat, m_graphButton}) {
         controls.addWidget(button);
     }
     connect(start, &QToolButton::clicked, &m_player, &Player::toStart);
@@ -184,6 +205,9 @@ void TimelineBar::fillMore(QMenu& menu)
     if (m_repeat->isHidden()) {
         addChoice(menu, m_repeat->toolTip(), m_repeat->isChecked(), [this] { m_repeat->click(); });
     }
+    if (m_graphButton->isHidden()) {
+        addChoice(menu, m_graphButton->toolTip(), m_showsGraph, [this] { setShowsGraph(!m_showsGraph); });
+    }
     if (m_loop->isHidden()) {
         addChoice(menu, m_loop->text(), m_loop->isChecked(), [this] { m_loop->click(); });
     }
@@ -208,6 +232,7 @@ void TimelineBar::connectPlayer()
 {
     connect(m_play, &QToolButton::clicked, &m_player, &Player::toggle);
     connect(m_repeat, &QToolButton::toggled, &m_player, &Player::setRepeats);
+    connect(m_graphButton, &QToolButton::toggled, this, &TimelineBar::setShowsGraph);
     connect(m_speed, &QComboBox::currentIndexChanged, this,
         [this] { m_player.setSpeed(m_speed->currentData().toDouble()); });
     connect(m_frame, &QSpinBox::valueChanged, &m_player, &Player::setFrame);
@@ -234,9 +259,9 @@ void TimelineBar::tellTime()
     m_document.setSeconds(static_cast<double>(m_player.frame()) / m_document.scene().timeline.frameRate);
 }
 
-std::array<QWidget*, 5> TimelineBar::dispensable() const
+std::array<QWidget*, 6> TimelineBar::dispensable() const
 {
-    return {m_rate, m_speed, m_time, m_loop, m_repeat};
+    return {m_rate, m_speed, m_time, m_loop, m_graphButton, m_repeat};
 }
 
 QSize TimelineBar::minimumSizeHint() const

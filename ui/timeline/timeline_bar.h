@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/timeline/key_graph.h"
 #include "ui/timeline/key_lanes.h"
 #include "ui/timeline/marker_lane.h"
 #include "ui/timeline/player.h"
@@ -22,7 +23,8 @@ class QVBoxLayout;
 
 namespace fumage::ui {
 
-/// Play, step, scrub, range, repeat, seamless loop, speed and frame rate.
+/// Play, step, scrub, range, repeat, seamless loop, speed and frame rate, and what changes over time: lanes of key
+/// frames, and a graph of the curves of those that are chosen there.
 class TimelineBar : public QWidget {
     Q_OBJECT
 
@@ -32,8 +34,16 @@ public:
     [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
     [[nodiscard]] KeyLanes& lanes() const { return *m_lanes; }
     [[nodiscard]] MarkerLane& markers() const { return *m_markers; }
+    [[nodiscard]] KeyGraph& graph() const { return *m_graph; }
+
+    /// Whether the graph is shown, as soon as something changes over time.
+    [[nodiscard]] bool showsGraph() const { return m_showsGraph; }
+    void setShowsGraph(bool shows);
 
     QSize minimumSizeHint() const override;
+
+signals:
+    void graphToggled(bool shows);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -41,7 +51,7 @@ protected:
 private:
     void hideOverflow();
     /// What goes on a narrow screen, the first of them first.
-    [[nodiscard]] std::array<QWidget*, 5> dispensable() const;
+    [[nodiscard]] std::array<QWidget*, 6> dispensable() const;
     void addLanes(QVBoxLayout& layout);
     void showLanes();
     void addButtons(QHBoxLayout& controls);
@@ -63,10 +73,14 @@ private:
     QHBoxLayout* m_controls;
     TimelineRuler* m_ruler;
     MarkerLane* m_markers;
+    KeySelection* m_keys; ///< of lanes and graph
     KeyLanes* m_lanes;
     QScrollArea* m_lanesView; ///< shows a few of them, and scrolls
+    KeyGraph* m_graph;
+    bool m_showsGraph = false;
     QToolButton* m_play;
     QToolButton* m_repeat;
+    QToolButton* m_graphButton;
     QToolButton* m_more; ///< there while something is hidden
     QCheckBox* m_loop; ///< a parameter of the document
     QSpinBox* m_frame;

@@ -19,18 +19,7 @@ constexpr double kGripReach = 7.0;
 constexpr double kRangeTop = 2.0; ///< of the strip that holds the range
 constexpr double kRangeHeight = 8.0;
 constexpr double kMinTickGap = 52.0;
-
-/// 1, 2, 5, 10, 20, 50 ... frames between numbers.
-int tickStep(double pixelsAFrame)
-{
-    for (int power = 1;; power *= 10) {
-        for (const int factor : {1, 2, 5}) {
-            if (power * factor * pixelsAFrame >= kMinTickGap) {
-                return power * factor;
-            }
-        }
-    }
-}
+constexpr int kMaxStep = 100'000'000; ///< of ticks, where a ruler has no width
 
 } // namespace
 
@@ -63,6 +52,17 @@ void TimelineRuler::setBaking(double share)
 double TimelineRuler::xOf(double frame) const
 {
     return kMargin + (width() - 2.0 * kMargin) * frame / std::max(1, m_player.length() - 1);
+}
+
+int TimelineRuler::tickStep() const
+{
+    for (int power = 1;; power *= 10) {
+        for (const int factor : {1, 2, 5}) {
+            if (power * factor * (xOf(1.0) - xOf(0.0)) >= kMinTickGap || power >= kMaxStep) {
+                return power * factor;
+            }
+        }
+    }
 }
 
 int TimelineRuler::frameAt(double x) const
@@ -130,8 +130,7 @@ void TimelineRuler::mouseReleaseEvent(QMouseEvent* event)
 
 void TimelineRuler::paintTicks(QPainter& painter) const
 {
-    const double perFrame = (width() - 2.0 * kMargin) / std::max(1, m_player.length() - 1);
-    const int step = tickStep(perFrame);
+    const int step = tickStep();
     QColor colour = palette().text().color();
     colour.setAlpha(150);
     painter.setPen(colour);

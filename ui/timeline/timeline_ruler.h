@@ -19,6 +19,8 @@ public:
     void setBaking(double share);
     [[nodiscard]] double baking() const { return m_baking; }
     [[nodiscard]] double xOf(double frame) const;
+    /// Frames from one number to the next: 1, 2, 5, 10, 20, 50 ...
+    [[nodiscard]] int tickStep() const;
 
     QSize sizeHint() const override { return {400, 40}; }
 
