@@ -20,6 +20,14 @@ const Track* KeySelection::track(const Parameter& parameter) const
     return at == m_tracks.end() ? nullptr : &*at;
 }
 
+bool KeySelection::isThere(const KeyPlace& key) const
+{
+    const Track* track = this->track(*key.parameter);
+    return track != nullptr && std::any_of(track->keys.begin(), track->keys.end(), [&](const KeyFrame& each) {
+        return each.seconds == key.seconds;
+    });
+}
+
 bool KeySelection::contains(const KeyPlace& key) const
 {
     return std::find(m_keys.begin(), m_keys.end(), key) != m_keys.end();
@@ -30,6 +38,9 @@ void KeySelection::select(const std::vector<KeyPlace>& keys)
     std::vector<KeyPlace> once;
     std::vector<const Parameter*> shown;
     for (const KeyPlace& key : keys) {
+        if (!isThere(key)) { // of a locked layer nothing has moved
+            continue;
+        }
         if (std::find(once.begin(), once.end(), key) == once.end()) {
             once.push_back(key);
         }
@@ -113,12 +124,7 @@ void KeySelection::sync()
         return;
     }
     m_tracks = std::move(now);
-    std::erase_if(m_keys, [this](const KeyPlace& key) {
-        const Track* track = this->track(*key.parameter);
-        return track == nullptr || std::none_of(track->keys.begin(), track->keys.end(), [&](const KeyFrame& each) {
-            return each.seconds == key.seconds;
-        });
-    });
+    std::erase_if(m_keys, [this](const KeyPlace& key) { return !isThere(key); });
     emit tracksChanged();
 }
 

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const Track* track(const Parameter& parameter) const;
     [[nodiscard]] const std::vector<KeyPlace>& keys() const { return m_keys; }
     [[nodiscard]] bool contains(const KeyPlace& key) const;
-    /// Selects other key frames, each once. Where any are, the graph shows their parameters.
+    /// Selects other key frames, of those that are there, each once. Where any are, the graph shows their parameters.
     void select(const std::vector<KeyPlace>& keys);
     /// A key frame is pressed: it is selected alone, or too with Shift or Ctrl; Ctrl leaves out one that was.
     void press(const KeyPlace& key, Qt::KeyboardModifiers modifiers);
@@ -42,6 +42,7 @@ signals:
 
 private:
     void sync();
+    [[nodiscard]] bool isThere(const KeyPlace& key) const;
 
     Document& m_document;
     std::vector<Track> m_tracks;
