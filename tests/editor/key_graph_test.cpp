@@ -28,7 +28,7 @@ namespace {
 constexpr const Parameter& kRate = knownParameter("emitter.rate");
 constexpr const Parameter& kEmission = knownParameter("glow.emission");
 constexpr const Parameter& kPosition = knownParameter("emitter.position");
-constexpr const Parameter& kColours = knownParameter("glow.emission_colour");
+constexpr const Parameter& kFireColours = knownParameter("glow.emission_colour");
 
 Track trackOf(const Parameter& parameter, std::vector<KeyFrame> keys)
 {
@@ -154,13 +154,13 @@ private slots:
 
     void aChoiceIsMovedInTimeAlone()
     {
-        setTracks({trackOf(kColours, {{0.0, 0}, {1.0, 1}})});
-        const QPoint from = graph().placeOf({&kColours, 1.0}).toPoint();
+        setTracks({trackOf(kFireColours, {{0.0, 0}, {1.0, 1}})});
+        const QPoint from = graph().placeOf({&kFireColours, 1.0}).toPoint();
         dragMouse(graph(), from, from + QPoint(framesWide(9), 60));
-        const KeyFrame& key = m_document->track(kColours)->keys[1];
+        const KeyFrame& key = m_document->track(kFireColours)->keys[1];
         QCOMPARE(key.seconds, 1.3);
         QCOMPARE(std::get<int>(key.value), 1);
-        QVERIFY(!graph().handleOf({&kColours, 1.3}, false));
+        QVERIFY(!graph().handleOf({&kFireColours, 1.3}, false));
         // Its curve is a step, and nothing lies between its two values.
         const std::vector<GraphCurve>& curves = graph().curves();
         QCOMPARE(curves.size(), std::size_t{1});
@@ -443,10 +443,10 @@ private slots:
         QVERIFY(shownRows(panel).empty());
         // Of a layer, of the scene, and one that has no effect as the smoke stands.
         const Parameter& yaw = knownParameter("camera.yaw");
-        const Parameter& strength = knownParameter("vortex.strength");
+        const Parameter& width = knownParameter("emitter.width"); // of a disc
         setTracks({trackOf(kRate, {{0.0, 0.0F}, {1.0, 1.0F}}), trackOf(yaw, {{0.0, 10.0F}}),
-            trackOf(strength, {{0.0, 1.0F}, {1.0, 2.0F}})});
-        std::vector<const Parameter*> wanted{&kRate, &yaw, &strength};
+            trackOf(width, {{0.0, 1.0F}, {1.0, 2.0F}})});
+        std::vector<const Parameter*> wanted{&kRate, &yaw, &width};
         std::sort(wanted.begin(), wanted.end());
         QCOMPARE(shownRows(panel), wanted);
         QVERIFY(!nothing->isVisible());
@@ -486,8 +486,9 @@ private:
         const QPointF end = graph().handleOf(key, after).value();
         const QPointF arm = end + way - graph().placeOf(key);
         const double perSecond = (m_bar->ruler().xOf(1.0) - m_bar->ruler().xOf(0.0)) * 30.0;
+        const double perPixel = graph().axis().perPixel(); // the axis may be fitted again afterwards
         dragMouse(graph(), end.toPoint(), end.toPoint() + way, Qt::LeftButton, modifiers);
-        return static_cast<float>(-arm.y() * graph().axis().perPixel() / arm.x() * perSecond);
+        return static_cast<float>(-arm.y() * perPixel / arm.x() * perSecond);
     }
     /// The parameters whose rows can be seen in a panel, one for each row, by their addresses.
     static std::vector<const Parameter*> shownRows(const EffectPanel& panel)

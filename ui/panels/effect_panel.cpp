@@ -50,14 +50,12 @@ std::vector<const Parameter*> essentialParameters()
 }
 
 /// A button beside the search that leaves rows out.
-QToolButton* makeFilterButton(QWidget* parent, const QString& name, const QString& sign, const QString& tip)
+QToolButton* makeFilterButton(QWidget* parent, const QString& name, const QString& sign)
 {
     auto* button = new QToolButton(parent);
     button->setObjectName(name);
     button->setText(sign);
     button->setCheckable(true);
-    button->setToolTip(tip);
-    button->setAccessibleName(tip);
     return button;
 }
 
@@ -69,10 +67,8 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     , m_layers(new LayerList(document, solo, this))
     , m_tabs(new QTabBar(this))
     , m_search(new QLineEdit(this))
-    , m_onlyChanged(makeFilterButton(this, QStringLiteral("onlyChanged"), QStringLiteral("•"),
-          tr("Only the parameters that differ from the preset")))
-    , m_onlyAnimated(makeFilterButton(
-          this, QStringLiteral("onlyAnimated"), QStringLiteral("◆"), tr("Only the parameters that have key frames")))
+    , m_onlyChanged(makeFilterButton(this, QStringLiteral("onlyChanged"), QStringLiteral("•")))
+    , m_onlyAnimated(makeFilterButton(this, QStringLiteral("onlyAnimated"), QStringLiteral("◆")))
     , m_nothing(new QLabel(this))
     , m_scroll(new QScrollArea(this))
 {
@@ -81,6 +77,10 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     m_search->setAccessibleName(tr("Search parameters"));
     m_search->setPlaceholderText(tr("Search parameters"));
     m_search->setClearButtonEnabled(true);
+    m_onlyChanged->setToolTip(tr("Only the parameters that differ from the preset"));
+    m_onlyChanged->setAccessibleName(m_onlyChanged->toolTip());
+    m_onlyAnimated->setToolTip(tr("Only the parameters that have key frames"));
+    m_onlyAnimated->setAccessibleName(m_onlyAnimated->toolTip());
     m_nothing->setObjectName(QStringLiteral("parameterSearch.nothing"));
     m_nothing->setProperty("role", QStringLiteral("secondary"));
     m_nothing->setWordWrap(true);

@@ -82,9 +82,9 @@ void KeyGraph::fit()
     for (const Parameter* parameter : m_shown) {
         constexpr double kSteps = 10.0;
         constexpr double kShare = 0.1;
-        constexpr double kLeast = 1e-3;
+        constexpr double kMinRoom = 1e-3;
         constexpr double kHalfAStep = 0.5; // of choices
-        const double flat = std::max({kSteps * parameter->step, kShare * std::abs(low), kLeast});
+        const double flat = std::max({kSteps * parameter->step, kShare * std::abs(low), kMinRoom});
         room = std::max(room, isRaised(parameter->kind) ? (low == high ? flat : 0.0) : kHalfAStep);
     }
     m_axis.frame(low, high, room);
