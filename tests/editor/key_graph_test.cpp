@@ -8,6 +8,9 @@
 #include "ui/document/solo.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/shell/action_table.h"
+#include "ui/shell/play_actions.h"
+#include "ui/shell/settings.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/widgets/gesture.h"
 
@@ -97,6 +100,26 @@ private slots:
         QVERIFY(!m_bar->showsGraph());
         QCOMPARE(toggles.count(), 1);
         QVERIFY(!toggles.first().first().toBool());
+    }
+
+    void whetherTheGraphIsShownIsRemembered()
+    {
+        setTracks({trackOf(kRate, {{0.0, 0.0F}, {1.0, 1.0F}})});
+        QWidget window;
+        const ActionSet actions(&window);
+        Settings settings;
+        connectGraphAction(actions, *m_bar, settings);
+        QVERIFY(!m_bar->showsGraph()); // nobody has asked for it
+        actions.get("play.graph").toggle();
+        QVERIFY(graph().isVisible());
+        QVERIFY(settings.showsGraph());
+        TimelineBar next(*m_document, *m_player);
+        const ActionSet others(&window);
+        connectGraphAction(others, next, settings);
+        QVERIFY(next.showsGraph());
+        m_bar->findChild<QToolButton*>(u"graphButton"_q)->click();
+        QVERIFY(!actions.get("play.graph").isChecked());
+        QVERIFY(!settings.showsGraph());
     }
 
     void aDragChangesTimeAndValueInOneStep()
@@ -221,6 +244,18 @@ private slots:
         if (a == Ease::Hold && b == Ease::Hold) {
             QCOMPARE(difference, 0.0F);
         }
+    }
+
+    void aKeyThatIsAddedInALaneLeavesTheCurveToo()
+    {
+        const Track before = trackOf(kEmission, {{0.0, 1.0F}, {1.0, 3.0F}, {3.0, 2.0F}});
+        setTracks({before});
+        KeyLanes& lanes = m_bar->lanes();
+        QTest::mouseDClick(
+            &lanes, Qt::LeftButton, {}, lanes.placeOf({&kEmission, 1.0}).toPoint() + QPoint(framesWide(30), 0));
+        QCOMPARE(m_document->track(kEmission)->keys.size(), std::size_t{4});
+        QCOMPARE(lanes.selected(), (std::vector<KeyPlace>{{&kEmission, 2.0}}));
+        QVERIFY(largestDifference(valuesOf(before), valuesOf(*m_document->track(kEmission))) <= 3e-6F);
     }
 
     void aKeyThatIsAddedToALineOrALevelStaysSmooth()

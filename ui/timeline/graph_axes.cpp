@@ -31,9 +31,9 @@ std::vector<double> roundTicks(double low, double high, double step)
     constexpr double kMaxTicks = 1000.0;
     std::vector<double> ticks;
     const double first = std::ceil(low / step);
-    const double last = std::floor(high / step);
-    for (double i = first; i <= last && last - first < kMaxTicks; i += 1.0) {
-        ticks.push_back(i * step);
+    const double count = std::floor(high / step) - first;
+    for (int i = 0; count < kMaxTicks && i <= count; ++i) {
+        ticks.push_back((first + i) * step);
     }
     return ticks;
 }

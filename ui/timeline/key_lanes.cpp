@@ -193,8 +193,9 @@ void KeyLanes::mouseDoubleClickEvent(QMouseEvent* event)
     if (event->button() == Qt::LeftButton && track != nullptr && !keyUnder(event->position())) {
         const Parameter& parameter = *track->parameter;
         m_player.setFrame(static_cast<int>(std::lround(secondsAt(event->position().x()) * frameRate())));
-        addKey(m_document, parameter);
-        m_selection.select({{&parameter, m_document.seconds()}});
+        if (const std::optional<double> time = addKeyOnCurve(m_document, parameter, secondsAt(event->position().x()))) {
+            m_selection.select({{&parameter, *time}});
+        }
     }
 }
 
