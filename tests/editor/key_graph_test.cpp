@@ -11,6 +11,7 @@
 #include "ui/shell/action_table.h"
 #include "ui/shell/play_actions.h"
 #include "ui/shell/settings.h"
+#include "ui/timeline/key_drag.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/widgets/gesture.h"
 
@@ -162,6 +163,12 @@ private slots:
         QCOMPARE(track.keys[0], (KeyFrame{0.5, 1.0F}));
         QCOMPARE(track.keys[1], (KeyFrame{1.5, 2.0F}));
         QCOMPARE(track.keys[2], (KeyFrame{2.5, 1.0F}));
+        // Free slopes become gentler with it: the curve keeps its form.
+        const glm::vec3 slope(3.0F, 0.0F, 0.0F);
+        Track free = trackOf(kEmission, {{0.5, 1.0F}, {1.0, 2.0F, Ease::Free, slope, slope}, {1.5, 1.0F}});
+        stretchSlopes(free, {{&kEmission, 0.5}, {&kEmission, 1.0}}, 1.0, 2.0);
+        QCOMPARE(free.keys[1].slopeIn.x, 1.0F);
+        QCOMPARE(free.keys[1].slopeOut.x, 1.0F);
     }
 
     void valuesStayInTheirRange()

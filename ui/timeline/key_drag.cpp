@@ -25,6 +25,18 @@ double onFrame(double seconds, double frameRate)
     return std::clamp(std::round(seconds * frameRate) / frameRate, 0.0, kMaxKeySeconds);
 }
 
+/// How many times as far keys come to lie from the first.
+double stretchOf(const std::vector<KeyPlace>& keys, double from, double to)
+{
+    const double first = firstOf(keys);
+    return from > first ? std::max(0.0, (to - first) / (from - first)) : 1.0;
+}
+
+bool isIn(const std::vector<KeyPlace>& keys, const Track& track, const KeyFrame& key)
+{
+    return std::find(keys.begin(), keys.end(), KeyPlace{track.parameter, key.seconds}) != keys.end();
+}
+
 } // namespace
 
 std::size_t keyIndex(const Track& track, double seconds)
@@ -56,12 +68,23 @@ std::vector<double> movedTimes(const std::vector<KeyPlace>& keys, double way, do
 std::vector<double> stretchedTimes(const std::vector<KeyPlace>& keys, double from, double to, double frameRate)
 {
     const double first = firstOf(keys);
-    const double factor = from > first ? std::max(0.0, (to - first) / (from - first)) : 1.0;
+    const double factor = stretchOf(keys, from, to);
     std::vector<double> times;
     for (const KeyPlace& key : keys) {
         times.push_back(factor == 1.0 ? key.seconds : onFrame(first + (key.seconds - first) * factor, frameRate));
     }
     return times;
+}
+
+void stretchSlopes(Track& track, const std::vector<KeyPlace>& keys, double from, double to)
+{
+    const double factor = stretchOf(keys, from, to);
+    for (KeyFrame& key : track.keys) {
+        if (key.ease == Ease::Free && factor > 0.0 && isIn(keys, track, key)) {
+            key.slopeIn /= static_cast<float>(factor);
+            key.slopeOut /= static_cast<float>(factor);
+        }
+    }
 }
 
 void raiseKeys(Track& track, const std::vector<KeyPlace>& keys, std::size_t component, double by)
@@ -71,7 +94,7 @@ void raiseKeys(Track& track, const std::vector<KeyPlace>& keys, std::size_t comp
         return;
     }
     for (KeyFrame& key : track.keys) {
-        if (std::find(keys.begin(), keys.end(), KeyPlace{&parameter, key.seconds}) != keys.end()) {
+        if (isIn(keys, track, key)) {
             key.value = withComponent(parameter, key.value, component, componentOf(key.value, component) + by);
         }
     }

@@ -23,6 +23,9 @@ namespace fumage::ui {
 [[nodiscard]] std::vector<double> stretchedTimes(
     const std::vector<KeyPlace>& keys, double from, double to, double frameRate);
 
+/// Gives free keys that are stretched as much gentler slopes, or steeper ones, so that the curve keeps its form.
+void stretchSlopes(Track& track, const std::vector<KeyPlace>& keys, double from, double to);
+
 /// Key frames with other values, in the hard range of their parameter. Choices and switches keep theirs.
 /// @param component of the values that is changed; those that do not have it keep theirs
 /// @param by        in the parameter's unit

@@ -107,6 +107,9 @@ void KeyGraph::dragKeys(Qt::KeyboardModifiers modifiers)
     std::vector<Track> tracks = m_base;
     for (Track& track : tracks) {
         raiseKeys(track, m_dragged, m_grip.component, by);
+        if (stretches) {
+            stretchSlopes(track, m_dragged, from, to);
+        }
     }
     replaceTracks(m_document, withMovedKeys(tracks, m_dragged, times), tr("Move key frames"), m_gesture);
     m_selection.select(keysAt(m_dragged, times));

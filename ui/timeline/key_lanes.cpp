@@ -169,7 +169,13 @@ void KeyLanes::dragKeys(const QPointF& to, bool stretches)
     const double now = secondsAt(to.x());
     const std::vector<double> times =
         stretches ? stretchedTimes(m_dragged, from, now, frameRate()) : movedTimes(m_dragged, now - from, frameRate());
-    replaceTracks(m_document, withMovedKeys(m_base, m_dragged, times), tr("Move key frames"), m_gesture);
+    std::vector<Track> tracks = m_base;
+    for (Track& track : tracks) {
+        if (stretches) {
+            stretchSlopes(track, m_dragged, from, now);
+        }
+    }
+    replaceTracks(m_document, withMovedKeys(tracks, m_dragged, times), tr("Move key frames"), m_gesture);
     m_selection.select(keysAt(m_dragged, times));
 }
 
