@@ -346,7 +346,7 @@ private:
             childOf<QAbstractButton>(*panel, u"look.colour.swatch"_q)->click();
         } else {
             const QHash<QString, const char*> actions{{u"export"_q, "file.export"}, {u"commands"_q, "edit.commands"},
-                {u"reference"_q, "help.reference"}, {u"shortcuts"_q, "help.shortcuts"}};
+                {u"reference"_q, "help.manual"}, {u"shortcuts"_q, "help.shortcuts"}};
             trigger(actions.value(window));
         }
         QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());

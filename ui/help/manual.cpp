@@ -108,8 +108,7 @@ QStringList Manual::filesInOrder() const
     }
     if (!ordered.isEmpty()) {
         const QString index = ordered.constFirst();
-        const QStringList links =
-            linksIn(readText(m_root + QLatin1Char('/') + index, index, kMaxPageBytes).text);
+        const QStringList links = linksIn(readText(m_root + QLatin1Char('/') + index, index, kMaxPageBytes).text);
         for (const QString& link : links) {
             add(inside(index, link));
         }
@@ -171,8 +170,7 @@ QString Manual::picture(int page, const QString& link) const
 
 QString manualFolder()
 {
-    return QDir::cleanPath(
-        QCoreApplication::applicationDirPath() + QStringLiteral("/" FUMAGE_MANUAL_FROM_PROGRAM));
+    return QDir::cleanPath(QCoreApplication::applicationDirPath() + QStringLiteral("/" FUMAGE_MANUAL_FROM_PROGRAM));
 }
 
 } // namespace fumage::ui

@@ -68,8 +68,8 @@ QList<ManualDocument::Picture> ManualDocument::picturesInText() const
         for (QTextBlock::iterator it = block.begin(); !it.atEnd(); ++it) {
             const QTextFragment fragment = it.fragment();
             if (fragment.charFormat().isImageFormat()) {
-                found += Picture{fragment.position(), fragment.length(),
-                    fragment.charFormat().toImageFormat().name(), QSize()};
+                found += Picture{
+                    fragment.position(), fragment.length(), fragment.charFormat().toImageFormat().name(), QSize()};
             }
         }
     }
@@ -116,8 +116,7 @@ void ManualDocument::takeMarks(const ManualPage& page)
             const QStringList names = page.anchors.value(found.captured(1).toInt());
             QTextCursor cursor(block);
             cursor.setPosition(block.position() + static_cast<int>(found.capturedStart()));
-            cursor.setPosition(
-                block.position() + static_cast<int>(found.capturedEnd()), QTextCursor::KeepAnchor);
+            cursor.setPosition(block.position() + static_cast<int>(found.capturedEnd()), QTextCursor::KeepAnchor);
             cursor.removeSelectedText();
             for (const QString& name : names) {
                 if (!m_positions.contains(name)) {

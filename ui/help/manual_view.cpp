@@ -57,8 +57,7 @@ void ManualView::mark(const std::optional<QRegularExpression>& pattern, const QS
             QTextEdit::ExtraSelection mark;
             mark.cursor = QTextCursor(block);
             mark.cursor.setPosition(block.position() + static_cast<int>(match.capturedStart()));
-            mark.cursor.setPosition(
-                block.position() + static_cast<int>(match.capturedEnd()), QTextCursor::KeepAnchor);
+            mark.cursor.setPosition(block.position() + static_cast<int>(match.capturedEnd()), QTextCursor::KeepAnchor);
             mark.format.setBackground(palette().highlight());
             mark.format.setForeground(palette().highlightedText());
             first = first < 0 && block.position() >= from ? block.position() : first;

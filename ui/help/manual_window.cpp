@@ -41,7 +41,7 @@ ManualWindow::ManualWindow(Manual manual, QWidget* parent)
     , m_manual(std::move(manual))
     , m_back(makeIconButton(this, QStringLiteral("manual.back"), QStringLiteral("back"), tr("Back (Alt+Left)")))
     , m_forward(
-          makeIconButton(this, QStringLiteral("manual.forward"), QStringLiteral("play"), tr("Forward (Alt+Right)")))
+          makeIconButton(this, QStringLiteral("manual.forward"), QStringLiteral("forward"), tr("Forward (Alt+Right)")))
     , m_search(new QLineEdit(this))
     , m_side(new QStackedWidget(this))
     , m_contents(new QTreeWidget(this))
@@ -58,12 +58,15 @@ ManualWindow::ManualWindow(Manual manual, QWidget* parent)
     connect(m_forward, &QToolButton::clicked, this, [this] { goBy(1); });
     connect(m_search, &QLineEdit::textChanged, this, &ManualWindow::search);
     connect(m_search, &QLineEdit::returnPressed, this, &ManualWindow::nextHit);
-    connect(m_contents, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+    const auto open = [this](const QTreeWidgetItem* item) {
         if (item != nullptr) {
             go({item->data(0, kPageRole).toInt(), item->data(0, kAnchorRole).toString()});
         }
-    });
+    };
+    connect(m_contents, &QTreeWidget::currentItemChanged, this, open);
+    connect(m_contents, &QTreeWidget::itemClicked, this, open); // one comes back to where one has scrolled away from
     connect(m_found, &QListWidget::currentRowChanged, this, &ManualWindow::openHit);
+    connect(m_found, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { openHit(m_found->row(item)); });
     connect(m_view, &QTextBrowser::anchorClicked, this, &ManualWindow::follow);
 }
 

@@ -2,18 +2,22 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
+#include "ui/help/manual_window.h"
 #include "ui/widgets/message_box.h"
 #include "ui/shell/action_table.h"
+#include "ui/shell/settings.h"
 
 #include "core/effect/shown_table.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QApplication>
 #include <QCoreApplication>
 #include <QCursor>
 #include <QDialog>
 #include <QIcon>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -27,10 +31,20 @@ QString helpText(const char* text)
     return QCoreApplication::translate("Help", text);
 }
 
+QLabel* makeNote(const QString& text, QWidget* parent)
+{
+    auto* note = new QLabel(text, parent);
+    note->setObjectName(QStringLiteral("referenceNote"));
+    note->setTextFormat(Qt::PlainText);
+    note->setWordWrap(true);
+    return note;
+}
+
 /// A window with a text and a field that finds words in it.
 /// @param anchor in the text, where it begins; empty: at the top, or where it was
-void showText(
-    QWidget* parent, const QString& name, const QString& title, const QString& html, const QString& anchor = {})
+/// @param note   said above it; empty: nothing
+void showText(QWidget* parent, const QString& name, const QString& title, const QString& html,
+    const QString& anchor = {}, const QString& note = {})
 {
     if (auto* open = parent->findChild<QDialog*>(name)) {
         open->show();
@@ -51,6 +65,9 @@ void showText(
     auto* layout = new QVBoxLayout(dialog);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->addWidget(search);
+    if (!note.isEmpty()) {
+        layout->addWidget(makeNote(note, dialog));
+    }
     layout->addWidget(text);
     QObject::connect(search, &QLineEdit::textChanged, text, [text](const QString& words) {
         text->moveCursor(QTextCursor::Start);
@@ -167,10 +184,33 @@ QString referenceAnchorAtHand()
     return underMouse.isEmpty() ? referenceAnchorAt(QApplication::focusWidget()) : underMouse;
 }
 
-void showReference(QWidget* parent, const QString& anchor)
+void showReference(QWidget* parent, const QString& anchor, const QString& note)
 {
     showText(parent, QStringLiteral("referenceDialog"), helpText(QT_TRANSLATE_NOOP("Help", "Parameter reference")),
-        parameterReference(), anchor);
+        parameterReference(), anchor, note);
+}
+
+void showManual(QWidget* parent, Settings& settings, const QString& folder, const QString& anchor)
+{
+    auto* window = parent->findChild<ManualWindow*>();
+    if (window == nullptr) {
+        Manual manual(folder);
+        if (!manual.problem().isEmpty()) {
+            showReference(parent, anchor,
+                helpText(QT_TRANSLATE_NOOP("Help", "%1 These are the tips of all parameters.")).arg(manual.problem()));
+            return;
+        }
+        static const QString kGeometry = QStringLiteral("manual/geometry");
+        window = new ManualWindow(std::move(manual), parent);
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->restoreGeometry(settings.bytes(kGeometry));
+        QObject::connect(window, &QDialog::finished, window,
+            [window, &settings] { settings.setBytes(kGeometry, window->saveGeometry()); });
+    }
+    window->show();
+    window->raise();
+    window->activateWindow();
+    window->showAt(anchor);
 }
 
 void showShortcuts(QWidget* parent)

@@ -6,6 +6,8 @@ class QWidget;
 
 namespace fumage::ui {
 
+class Settings;
+
 /// The reference of all parameters as rich text, made from the parameter table; each has its key as an anchor.
 [[nodiscard]] QString parameterReference();
 
@@ -22,7 +24,14 @@ namespace fumage::ui {
 [[nodiscard]] QString referenceAnchorAtHand();
 
 /// @param anchor where to begin: the key of a parameter or the name of a group; empty: at the top
-void showReference(QWidget* parent, const QString& anchor = {});
+/// @param note said above it; empty: nothing
+void showReference(QWidget* parent, const QString& anchor = {}, const QString& note = {});
+/// Shows the manual in a window that stays open beside the work, or brings that to the front; where there is none, the
+/// reference of parameters, which says why.
+/// @param settings remember size and place of the window
+/// @param folder   of the manual
+/// @param anchor   where to begin, as above
+void showManual(QWidget* parent, Settings& settings, const QString& folder, const QString& anchor = {});
 void showShortcuts(QWidget* parent);
 void showAbout(QWidget* parent);
 

@@ -2,6 +2,7 @@
 
 #include "ui/document/layer_edits.h"
 #include "ui/document/text.h"
+#include "ui/help/manual.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/queue_panel.h"
 #include "ui/widgets/message_bar.h"
@@ -18,6 +19,7 @@
 #include "ui/shell/play_actions.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/window_layout.h"
+#include "ui/shell/window_tour.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/viewport/viewport.h"
 
@@ -167,7 +169,9 @@ void MainWindow::connectWindowActions()
         m_actions.get("view.smokeOnly").setChecked(false);
         m_docks.arrange();
     });
-    m_actions.on("help.reference", this, [this] { showReference(this, referenceAnchorAtHand()); });
+    m_actions.on("help.manual", this,
+        [this] { showManual(this, m_services.settings(), manualFolder(), referenceAnchorAtHand()); });
+    m_actions.on("help.tour", this, [this] { startTour(); });
     m_actions.on("help.shortcuts", this, [this] { showShortcuts(this); });
     m_actions.on("help.about", this, [this] { showAbout(this); });
 }
@@ -296,12 +300,25 @@ void MainWindow::notify(const QString& message)
 
 void MainWindow::begin()
 {
-    if (m_services.settings().showsStartDialog()) {
-        showStart();
+    const bool isFirstUse = m_services.settings().isFirstUse();
+    if (!m_services.settings().showsStartDialog()) {
+        return;
+    }
+    const StartDialog* start = showStart();
+    if (isFirstUse) {
+        connect(start, &QDialog::finished, this, &MainWindow::startTour, Qt::QueuedConnection);
     }
 }
 
-void MainWindow::showStart()
+void MainWindow::startTour()
+{
+    m_services.settings().setTourSeen();
+    if (startWindowTour(*this, m_actions) == nullptr) {
+        notify(tr("There is nothing to be seen that the tour could show."));
+    }
+}
+
+StartDialog* MainWindow::showStart()
 {
     auto* dialog = new StartDialog(m_services.settings().recentFiles(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -313,6 +330,7 @@ void MainWindow::showStart()
     connect(dialog, &QDialog::finished, this,
         [this, dialog] { m_services.settings().setShowsStartDialog(dialog->showAgain()); });
     dialog->open();
+    return dialog;
 }
 
 void MainWindow::showPreferences()

@@ -25,6 +25,7 @@ class QShortcut;
 namespace fumage::ui {
 
 class MessageBar;
+class StartDialog;
 class TimelineBar;
 class Viewport;
 
@@ -69,7 +70,8 @@ private:
     void connectMemory();
     void connectExports();
     void connectStatus();
-    void showStart();
+    StartDialog* showStart();
+    void startTour();
     void showPreferences();
     void showSmokeOnly(bool only);
     void searchCommands();

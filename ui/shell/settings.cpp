@@ -17,6 +17,7 @@ const QString kFavourites = QStringLiteral("presets/favourites");
 const QString kTheme = QStringLiteral("face/theme");
 const QString kLanguage = QStringLiteral("face/language");
 const QString kNavigation = QStringLiteral("viewport/navigation");
+const QString kTour = QStringLiteral("start/tour");
 const QString kStart = QStringLiteral("start/shown");
 const QString kGraph = QStringLiteral("timeline/graph");
 const QString kOpenGl = QStringLiteral("viewport/opengl");
@@ -147,6 +148,17 @@ bool Settings::showsGraph() const
 void Settings::setShowsGraph(bool shows)
 {
     m_settings.setValue(kGraph, shows);
+}
+
+bool Settings::isFirstUse() const
+{
+    // The first window that was closed has left its layout.
+    return !m_settings.value(kTour, false).toBool() && !m_settings.contains(QStringLiteral("window/layout"));
+}
+
+void Settings::setTourSeen()
+{
+    m_settings.setValue(kTour, true);
 }
 
 OpenGlChoice Settings::openGl() const

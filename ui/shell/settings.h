@@ -45,6 +45,9 @@ public:
     /// Whether the timeline shows the graph of key frames.
     [[nodiscard]] bool showsGraph() const;
     void setShowsGraph(bool shows);
+    /// Whether this is the first time that the program is used here, and the tour has not come yet.
+    [[nodiscard]] bool isFirstUse() const;
+    void setTourSeen();
 
     /// Takes effect with the next start.
     [[nodiscard]] OpenGlChoice openGl() const;

@@ -2,7 +2,9 @@
 
 #include "ui/timeline/ease_icon.h"
 #include "ui/timeline/key_clipboard.h"
+#include "ui/timeline/key_mends.h"
 #include "ui/timeline/key_selection.h"
+#include "ui/timeline/key_table_menu.h"
 
 #include <QCoreApplication>
 #include <QMenu>
@@ -69,6 +71,8 @@ void fillKeyMenu(QMenu& menu, Document& document, KeySelection& selection, const
     addEases(menu, document, selection);
     if (track != nullptr) {
         addOutside(menu, document, *track);
+        addKeyMends(menu, document, *track);
+        addKeyTable(menu, document, *track, askInDialog, menu.parentWidget());
     }
     const bool isAny = !selection.keys().empty();
     menu.addAction(KeyMenu::tr("Copy"), &selection, [&] { copyKeys(document, selection.keys()); })->setEnabled(isAny);

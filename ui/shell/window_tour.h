@@ -1,0 +1,13 @@
+#pragma once
+
+class QMainWindow;
+
+namespace fumage::ui {
+
+class ActionSet;
+class Tour;
+
+/// Begins the tour of the editor: five steps from the smoke to its export. @return null: there is nothing to be seen
+Tour* startWindowTour(QMainWindow& window, const ActionSet& actions);
+
+} // namespace fumage::ui
