@@ -6,6 +6,7 @@
 #include "ui/presets/start_dialog.h"
 #include "ui/shell/command_search.h"
 #include "ui/shell/preferences.h"
+#include "ui/shell/tour.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/viewport/viewport.h"
 
@@ -270,6 +271,28 @@ private slots:
         childOf<QPushButton>(*start, u"startDefault"_q)->click();
         QVERIFY(m_session->settings().showsStartDialog());
         QVERIFY(m_window->document().effect() == newPreset().scene.effect());
+    }
+
+    void theTourShowsTheRealControls()
+    {
+        m_window->docks().arrange();
+        QCoreApplication::processEvents();
+        trigger("help.tour");
+        const QPointer<Tour> tour = m_window->findChild<Tour*>();
+        QVERIFY(tour && tour->isVisible());
+        QSet<const QWidget*> seen;
+        for (int i = 0; i < 5 && tour->isVisible(); ++i) {
+            QVERIFY(tour->target()->isVisible());
+            QVERIFY(m_window->rect().contains(tour->geometry()));
+            seen += tour->target();
+            tour->next();
+        }
+        QCOMPARE(seen.size(), 5);
+        QVERIFY(seen.contains(&m_window->viewport()));
+        QTRY_VERIFY(tour.isNull());
+        trigger("help.tour");
+        QTest::keyClick(m_window->findChild<Tour*>(), Qt::Key_Escape);
+        QTRY_VERIFY(m_window->findChild<Tour*>() == nullptr);
     }
 
     void preferencesAreFoundByTheWordsThatPeopleUse()
