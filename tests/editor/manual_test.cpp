@@ -365,8 +365,11 @@ private slots:
     void linksOpenNothingOutside()
     {
         const Opened opened;
-        writeTo(m_folder.filePath(u"../outside.md"_q), "# Outside\n");
-        ManualWindow window(Manual(m_folder.path()), nullptr);
+        const QTemporaryDir around;
+        const QString root = around.filePath(u"manual"_q);
+        writeTo(around.filePath(u"outside.md"_q), "# Outside\n");
+        writeTo(root + u"/index.md"_q, "# Inside\n");
+        ManualWindow window(Manual(root), nullptr);
         window.show();
         window.showAt({});
         for (const char* link : {"file:///etc/passwd", "http://example.org/x?a=b", "https://example.org",
@@ -376,7 +379,6 @@ private slots:
             QVERIFY2(noteOf(window).contains(QLatin1String(link)), link);
         }
         QVERIFY(opened.urls().isEmpty());
-        QFile::remove(m_folder.filePath(u"../outside.md"_q));
     }
 
     void whereThereIsNoManualTheTipsAreShownAndItIsSaid()

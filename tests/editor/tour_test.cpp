@@ -37,7 +37,7 @@ private slots:
         m_window->addDockWidget(Qt::LeftDockWidgetArea, m_dock);
         m_window->resize(900, 600);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     }
     void cleanup() { m_window.reset(); }
 

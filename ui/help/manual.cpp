@@ -37,7 +37,7 @@ PageText readText(const QString& path, const QString& name, qint64 limit)
     if (bytes.size() > limit) {
         return {{}, manualText(QT_TRANSLATE_NOOP("Manual", "The page %1 is too large.")).arg(name)};
     }
-    QStringDecoder decoder(QStringDecoder::Utf8);
+    QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless); // what is cut off is an error
     const QString text = decoder.decode(bytes);
     if (decoder.hasError()) {
         return {{}, manualText(QT_TRANSLATE_NOOP("Manual", "The page %1 is not UTF-8 text.")).arg(name)};

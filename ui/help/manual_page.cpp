@@ -11,6 +11,7 @@ namespace {
 
 constexpr QChar kMarkBegin(0xE000);
 constexpr QChar kMarkEnd(0xE001);
+constexpr QChar kSpacedEnd(0xE002); ///< behind a mark: the space after it is of the mark, too
 
 /// What a line says, without the marks of Markdown.
 QString plainLine(const QString& markdown)
@@ -38,7 +39,7 @@ public:
         static const QRegularExpression comment(
             QStringLiteral("<!--.*?-->"), QRegularExpression::DotMatchesEverythingOption);
         QString source = text;
-        source.remove(kMarkBegin).remove(kMarkEnd).remove(QLatin1Char('\r')).remove(comment);
+        source.remove(kMarkBegin).remove(kMarkEnd).remove(kSpacedEnd).remove(QLatin1Char('\r')).remove(comment);
         const QStringList lines = source.split(QLatin1Char('\n'));
         for (const QString& line : lines) {
             takeLine(line);
@@ -98,7 +99,9 @@ private:
         const int before = m_slugs[slug]++;
         names += before == 0 ? slug : slug + QLatin1Char('-') + QString::number(before);
         m_page.headings += ManualHeading{level, plain, names.constLast()};
-        m_out += QString(level, QLatin1Char('#')) + QLatin1Char(' ') + addMark(names) + QLatin1Char(' ') + text;
+        // With a space behind it: what begins with emphasis or code still does.
+        m_out +=
+            QString(level, QLatin1Char('#')) + QLatin1Char(' ') + addMark(names) + kSpacedEnd + QLatin1Char(' ') + text;
     }
 
     void takeText(const QString& written)
@@ -168,7 +171,7 @@ QString anchorMark(qsizetype index)
 
 QString anchorMarkPattern()
 {
-    return kMarkBegin + QStringLiteral("(\\d+)") + kMarkEnd + QStringLiteral(" ?");
+    return kMarkBegin + QStringLiteral("(\\d+)") + kMarkEnd + QStringLiteral("(?:%1 ?)?").arg(kSpacedEnd);
 }
 
 QString slugOf(const QString& heading)

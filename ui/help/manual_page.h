@@ -35,7 +35,7 @@ struct ManualPage {
 /// leaves alone. Once it is laid out they are taken away again.
 [[nodiscard]] QString anchorMark(qsizetype index);
 
-/// What finds such a mark, with the space behind it; its first group is the index.
+/// What finds such a mark, with a space that belongs to it; its first group is the index.
 [[nodiscard]] QString anchorMarkPattern();
 
 /// The anchor of a heading as GitHub makes it: "Size and life" is "size-and-life".

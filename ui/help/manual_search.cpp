@@ -8,11 +8,12 @@ namespace fumage::ui {
 namespace {
 
 constexpr qsizetype kMaxWords = 8;
+constexpr qsizetype kMaxText = 200; // characters
 
 QStringList wordsIn(const QString& text)
 {
     static const QRegularExpression between(QStringLiteral("[^\\p{L}\\p{N}]+"));
-    return text.split(between, Qt::SkipEmptyParts).mid(0, kMaxWords);
+    return text.left(kMaxText).split(between, Qt::SkipEmptyParts).mid(0, kMaxWords);
 }
 
 QRegularExpression patternOf(const QStringList& words)

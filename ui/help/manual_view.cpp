@@ -117,7 +117,7 @@ void ManualView::resizeEvent(QResizeEvent* event)
 /// Where the block begins that is at the top of what is seen.
 int ManualView::topPosition() const
 {
-    return verticalScrollBar()->value() == 0 ? 0 : cursorForPosition({viewport()->width() / 2, 0}).block().position();
+    return verticalScrollBar()->value() == 0 ? 0 : cursorForPosition({viewport()->width() / 2, 1}).block().position();
 }
 
 void ManualView::scrollTo(int position)
@@ -125,7 +125,8 @@ void ManualView::scrollTo(int position)
     const QAbstractTextDocumentLayout& layout = *document()->documentLayout();
     static_cast<void>(layout.documentSize()); // lays out all of it: the bar knows how far it goes
     const QTextBlock block = document()->findBlock(position);
-    verticalScrollBar()->setValue(position <= 0 ? 0 : static_cast<int>(layout.blockBoundingRect(block).top()));
+    verticalScrollBar()->setValue(
+        position <= 0 ? 0 : static_cast<int>(std::ceil(layout.blockBoundingRect(block).top())));
 }
 
 void ManualView::fitPictures()

@@ -22,6 +22,8 @@ public:
     void showPage(const Manual& manual, int page);
     /// @return whether there is such an anchor; empty: the top, which there is always
     bool goTo(const QString& anchor);
+    /// Where an anchor is in the text that is shown; -1: nowhere.
+    [[nodiscard]] int positionOf(const QString& anchor) const { return m_page ? m_page->positionOf(anchor) : -1; }
     /// Marks words, and goes to the first at or behind an anchor, where there is one.
     /// @param pattern of words; nothing: none are marked
     void mark(const std::optional<QRegularExpression>& pattern, const QString& anchor);

@@ -213,8 +213,9 @@ void ManualWindow::showPlace()
     setWindowTitle(tr("%1 — Manual").arg(plainTitle(page.title)));
     const QSignalBlocker blocker(m_contents);
     QTreeWidgetItem* item = m_contents->topLevelItem(now.page);
-    for (int i = 0; i < item->childCount(); ++i) {
-        if (const QString anchor = item->child(i)->data(0, kAnchorRole).toString(); anchor == now.anchor) {
+    const int position = m_view->positionOf(now.anchor); // a heading may have several anchors
+    for (int i = 0; position >= 0 && i < item->childCount(); ++i) {
+        if (m_view->positionOf(item->child(i)->data(0, kAnchorRole).toString()) == position) {
             item = item->child(i);
             break;
         }

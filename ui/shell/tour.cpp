@@ -192,7 +192,12 @@ bool Tour::eventFilter(QObject* watched, QEvent* event)
     } else if (!isOwn && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
         QMetaObject::invokeMethod(this, &Tour::place, Qt::QueuedConnection); // once the layout is done
     } else if (watched == m_target && event->type() == QEvent::Hide && isVisible()) {
-        QMetaObject::invokeMethod(this, &Tour::next, Qt::QueuedConnection);
+        const auto leave = [this] {
+            if (shownTarget(m_step) == nullptr) {
+                next();
+            }
+        };
+        QMetaObject::invokeMethod(this, leave, Qt::QueuedConnection);
     }
     return false;
 }
