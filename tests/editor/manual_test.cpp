@@ -98,6 +98,25 @@ private slots:
         QVERIFY(manual.problem().isEmpty());
     }
 
+    void partsOfAChapterFollowIt()
+    {
+        const QTemporaryDir folder;
+        writeTo(folder.filePath(u"README.md"_q), "- [parts](parts/README.md#x)\n- [end](end.md)\n- [out](../a.md)\n");
+        writeTo(folder.filePath(u"parts/README.md"_q), "[b](b.md) [a](a.md) [up](../README.md) [b](b.md#again)\n");
+        for (const QString& name : {u"parts/a.md"_q, u"parts/b.md"_q, u"end.md"_q, u"another.md"_q}) {
+            writeTo(folder.filePath(name), "Text.\n");
+        }
+        QStringList files;
+        const Manual manual(folder.path());
+        for (const ManualPage& page : manual.pages()) {
+            files += page.file;
+        }
+        QCOMPARE(files,
+            QStringList({u"README.md"_q, u"parts/README.md"_q, u"parts/b.md"_q, u"parts/a.md"_q, u"end.md"_q,
+                u"another.md"_q}));
+        QCOMPARE(manual.pages()[2].title, u"b"_q);
+    }
+
     void headingsHaveTheAnchorsOfGitHubAndTheirOwn()
     {
         const ManualPage page = parsePage(u"a.md"_q,
@@ -278,6 +297,7 @@ private slots:
         QTest::addColumn<QByteArray>("bytes");
         QTest::newRow("10 MB") << QByteArray(10 * 1024 * 1024, 'a');
         QTest::newRow("no UTF-8") << QByteArray("# Title\n\n\xC3\x28 and \xFF\n");
+        QTest::newRow("endless paragraph") << QByteArray("# Title\n\n" + QByteArray("[a](b) ").repeated(20000));
         QTest::newRow("cut off UTF-8") << QByteArray("# Title \xE2\x82");
     }
     void whatCannotBeReadIsSaid()

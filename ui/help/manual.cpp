@@ -15,6 +15,8 @@ namespace fumage::ui {
 
 namespace {
 
+const QString kReadme = QStringLiteral("README.md");
+
 QString manualText(const char* text)
 {
     return QCoreApplication::translate("Manual", text);
@@ -48,7 +50,7 @@ PageText readText(const QString& path, const QString& name, qint64 limit)
 /// What a text links to, in its order.
 QStringList linksIn(const QString& markdown)
 {
-    static const QRegularExpression link(QStringLiteral("\\]\\(([^)\\s]+)\\)"));
+    static const QRegularExpression link(QStringLiteral("\\]\\(([^)\\s]{1,500})\\)"));
     QStringList links;
     for (QRegularExpressionMatchIterator found = link.globalMatch(markdown); found.hasNext();) {
         links += found.next().captured(1);
@@ -81,7 +83,9 @@ void Manual::load()
         const QString path = m_root + QLatin1Char('/') + file;
         const PageText read = readText(path, file, std::min(left, kMaxPageBytes));
         ManualPage page = parsePage(file, read.text);
-        page.problem = read.problem;
+        if (!read.problem.isEmpty()) {
+            page.problem = read.problem;
+        }
         left -= read.problem.isEmpty() ? QFileInfo(path).size() : 0;
         left = std::max<qint64>(left, 0);
         m_pages += std::move(page);
@@ -98,22 +102,34 @@ QStringList Manual::filesInOrder() const
     all.sort();
     QStringList ordered;
     const auto add = [&](const QString& file) {
-        if (all.removeOne(file)) {
+        const bool isNew = all.removeOne(file);
+        if (isNew) {
             ordered += file;
         }
+        return isNew;
     };
-    add(QStringLiteral("index.md"));
-    if (ordered.isEmpty()) {
-        add(QStringLiteral("README.md"));
-    }
-    if (!ordered.isEmpty()) {
-        const QString index = ordered.constFirst();
-        const QStringList links = linksIn(readText(m_root + QLatin1Char('/') + index, index, kMaxPageBytes).text);
-        for (const QString& link : links) {
-            add(inside(index, link));
+    const QString index = all.contains(QStringLiteral("index.md")) ? QStringLiteral("index.md") : kReadme;
+    if (add(index)) {
+        const QStringList chapters = linkedFrom(index);
+        for (const QString& chapter : chapters) {
+            if (add(chapter) && chapter.endsWith(QLatin1Char('/') + kReadme)) {
+                const QStringList parts = linkedFrom(chapter);
+                std::ranges::for_each(parts, add);
+            }
         }
     }
     return ordered + all;
+}
+
+/// The files that a page links to, in its order.
+QStringList Manual::linkedFrom(const QString& file) const
+{
+    QStringList files;
+    const QStringList links = linksIn(readText(m_root + QLatin1Char('/') + file, file, kMaxPageBytes).text);
+    for (const QString& link : links) {
+        files += inside(file, link);
+    }
+    return files;
 }
 
 QString Manual::inside(const QString& from, const QString& link) const

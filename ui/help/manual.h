@@ -18,11 +18,12 @@ struct ManualPlace {
 /// neither; what is too large, no UTF-8 or not to be read becomes a page that says so.
 class Manual {
 public:
-    static constexpr qint64 kMaxPageBytes = 1024 * 1024;
-    static constexpr qint64 kMaxBytes = 16 * 1024 * 1024; ///< of all pages
+    static constexpr qint64 kMaxPageBytes = 256 * 1024;
+    static constexpr qint64 kMaxBytes = 8 * 1024 * 1024; ///< of all pages
     static constexpr qsizetype kMaxPages = 300;
 
-    /// Reads all pages: index.md (or README.md), those that it links to in its order, then the others by name.
+    /// Reads all pages: index.md (or README.md), those that it links to in its order, then the others by name. A
+    /// README.md of a folder is followed by those that it links to.
     explicit Manual(const QString& folder);
 
     [[nodiscard]] const QList<ManualPage>& pages() const { return m_pages; }
@@ -40,6 +41,7 @@ public:
 private:
     [[nodiscard]] QString inside(const QString& from, const QString& link) const;
     [[nodiscard]] QStringList filesInOrder() const;
+    [[nodiscard]] QStringList linkedFrom(const QString& file) const;
     [[nodiscard]] int indexOf(const QString& file) const;
     void load();
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QCoreApplication>
 #include <QHash>
 #include <QRegularExpression>
 
@@ -29,6 +30,27 @@ QString plainLine(const QString& markdown)
     return plain.simplified();
 }
 
+void removeComments(QString& text)
+{
+    const QString end = QStringLiteral("-->");
+    qsizetype begin = text.indexOf(QStringLiteral("<!--"));
+    QString without = text.left(begin);
+    while (begin >= 0) {
+        const qsizetype last = text.indexOf(end, begin);
+        const qsizetype next = last < 0 ? -1 : text.indexOf(QStringLiteral("<!--"), last);
+        const qsizetype from = last < 0 ? begin : last + end.size(); // one without an end is none
+        without += text.mid(from, next < 0 ? -1 : next - from);
+        begin = next;
+    }
+    text = without;
+}
+
+QString titleOf(const ManualPage& page)
+{
+    return page.headings.isEmpty() ? page.file.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0)
+                                   : page.headings.constFirst().text;
+}
+
 /// Reads a page line by line.
 class PageParser {
 public:
@@ -36,23 +58,37 @@ public:
 
     ManualPage parse(const QString& text)
     {
-        static const QRegularExpression comment(
-            QStringLiteral("<!--.*?-->"), QRegularExpression::DotMatchesEverythingOption);
         QString source = text;
-        source.remove(kMarkBegin).remove(kMarkEnd).remove(kSpacedEnd).remove(QLatin1Char('\r')).remove(comment);
+        source.remove(kMarkBegin).remove(kMarkEnd).remove(kSpacedEnd).remove(QLatin1Char('\r'));
+        removeComments(source);
         const QStringList lines = source.split(QLatin1Char('\n'));
         for (const QString& line : lines) {
             takeLine(line);
+            if (m_isTooLong) {
+                break;
+            }
+        }
+        if (m_isTooLong) {
+            ManualPage refused;
+            refused.file = m_page.file;
+            refused.title = titleOf(m_page);
+            refused.problem =
+                QCoreApplication::translate("Manual", "The page %1 has a paragraph that is too long.").arg(m_page.file);
+            return refused;
         }
         m_page.markdown = m_out.join(QLatin1Char('\n'));
-        m_page.title = m_page.headings.isEmpty() ? m_page.file.section(QLatin1Char('/'), -1).section(u'.', 0, 0)
-                                                 : m_page.headings.constFirst().text;
+        m_page.title = titleOf(m_page);
         return std::move(m_page);
     }
 
 private:
     void takeLine(const QString& line)
     {
+        m_paragraph = line.trimmed().isEmpty() || !m_fence.isEmpty() ? 0 : m_paragraph + line.size();
+        m_isTooLong = m_paragraph > kMaxManualParagraph;
+        if (m_isTooLong) {
+            return;
+        }
         static const QRegularExpression fence(QStringLiteral("^ {0,3}(```+|~~~+)"));
         static const QRegularExpression heading(QStringLiteral("^ {0,3}(#{1,6})\\s+(.*?)(?:\\s+#+)?\\s*$"));
         if (!m_fence.isEmpty()) {
@@ -62,7 +98,8 @@ private:
         if (const QRegularExpressionMatch begin = fence.match(line); begin.hasMatch()) {
             m_fence = begin.captured(1);
             if (!m_waiting.isEmpty()) {
-                m_out += {addMark(std::exchange(m_waiting, {})), QString()};
+                m_out += addMark(std::exchange(m_waiting, {}));
+                m_out += QString();
             }
             m_out += line;
             return;
@@ -159,6 +196,8 @@ private:
     QStringList m_out;
     QStringList m_waiting; ///< anchors that stood alone, for what comes next
     QHash<QString, int> m_slugs; ///< how often each has been
+    qsizetype m_paragraph = 0; ///< characters since the last empty line
+    bool m_isTooLong = false;
     QString m_fence; ///< what ends the code that is read; empty: it is none
 };
 

@@ -41,7 +41,11 @@ struct ManualPage {
 /// The anchor of a heading as GitHub makes it: "Size and life" is "size-and-life".
 [[nodiscard]] QString slugOf(const QString& heading);
 
-/// Reads a page. Its anchors are `<a id="..."></a>` on a line, in it or before it; headings are those that begin with
+/// What a page may have without an empty line: Qt's time grows with the square of that.
+inline constexpr qsizetype kMaxManualParagraph = 8 * 1024; // characters
+
+/// Reads a page; one with a paragraph that is too long has a problem. Its anchors are `<a id="..."></a>` on a line, in
+/// it or before it; headings are those that begin with
 /// '#'. Nothing else of HTML means anything.
 /// O(characters).
 [[nodiscard]] ManualPage parsePage(const QString& file, const QString& text);
