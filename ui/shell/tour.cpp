@@ -90,7 +90,10 @@ Tour::Tour(QMainWindow& window, std::vector<TourStep> steps)
     connect(m_back, &QPushButton::clicked, this, &Tour::back);
     connect(m_next, &QPushButton::clicked, this, &Tour::next);
     connect(m_done, &QPushButton::clicked, this, &Tour::end);
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, const QWidget* now) { followFocus(now); });
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, const QWidget* now) {
+        m_escape->setEnabled(qobject_cast<const QLineEdit*>(now) == nullptr
+            && qobject_cast<const QAbstractSpinBox*>(now) == nullptr); // there it takes back what was typed
+    });
 }
 
 QWidget* Tour::shownTarget(int step) const
@@ -164,13 +167,6 @@ void Tour::place()
     }
 }
 
-/// Escape in a field takes back what was typed.
-void Tour::followFocus(const QWidget* now)
-{
-    m_escape->setEnabled(
-        qobject_cast<const QLineEdit*>(now) == nullptr && qobject_cast<const QAbstractSpinBox*>(now) == nullptr);
-}
-
 bool Tour::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isOwn = watched == this || watched->parent() == this;
@@ -181,11 +177,7 @@ bool Tour::eventFilter(QObject* watched, QEvent* event)
         if (goesOn || key == Qt::Key_Left) {
             event->accept(); // or it would step the frames
             if (event->type() == QEvent::KeyPress) {
-                if (goesOn) {
-                    next();
-                } else {
-                    back();
-                }
+                goesOn ? next() : back();
             }
             return true;
         }

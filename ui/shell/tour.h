@@ -47,7 +47,6 @@ private:
     [[nodiscard]] int stepFrom(int step, int direction) const;
     void showStep(int step);
     void place();
-    void followFocus(const QWidget* now);
 
     QMainWindow& m_window;
     const std::vector<TourStep> m_steps;
