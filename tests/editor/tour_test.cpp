@@ -97,6 +97,14 @@ private slots:
         QCOMPARE(tour->target()->objectName(), u"one"_q);
     }
 
+    void whatTheBubbleCoversIsStillShown()
+    {
+        const QPointer<Tour> tour = begin();
+        tour->setGeometry(m_window->rect());
+        tour->next();
+        QCOMPARE(tour->target()->objectName(), u"docked"_q);
+    }
+
     void whatIsPutAwayMeanwhileIsLeft()
     {
         const QPointer<Tour> tour = begin();

@@ -1,5 +1,7 @@
 #include "ui/shell/tour.h"
 
+#include "ui/widgets/in_sight.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -99,8 +101,7 @@ Tour::Tour(QMainWindow& window, std::vector<TourStep> steps)
 QWidget* Tour::shownTarget(int step) const
 {
     QWidget* target = m_steps[static_cast<std::size_t>(step)].find();
-    const bool isSeen =
-        target != nullptr && target->isVisible() && target->window() == &m_window && !target->visibleRegion().isEmpty();
+    const bool isSeen = target != nullptr && target->window() == &m_window && isInSight(*target);
     return isSeen ? target : nullptr;
 }
 

@@ -4,6 +4,7 @@
 #include "ui/panels/number_field.h"
 #include "ui/shell/action_table.h"
 #include "ui/shell/tour.h"
+#include "ui/widgets/in_sight.h"
 
 #include <QCoreApplication>
 #include <QMainWindow>
@@ -25,7 +26,7 @@ QWidget* firstSeen(const QMainWindow& window)
     const auto* panel = window.findChild<QWidget*>(QStringLiteral("effectPanel"));
     const QList<Widget*> all = panel != nullptr ? panel->findChildren<Widget*>() : QList<Widget*>();
     for (Widget* widget : all) {
-        if (widget->isVisible() && !widget->visibleRegion().isEmpty()) {
+        if (isInSight(*widget)) {
             return widget;
         }
     }
