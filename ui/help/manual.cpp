@@ -136,7 +136,8 @@ QString Manual::inside(const QString& from, const QString& link) const
 {
     const QUrl url(link);
     const QString path = url.path(QUrl::FullyDecoded);
-    if (!url.isValid() || !url.scheme().isEmpty() || !url.authority().isEmpty() || QDir::isAbsolutePath(path)) {
+    const bool isRelative = url.isValid() && url.scheme().isEmpty() && url.authority().isEmpty();
+    if (!isRelative || QDir::isAbsolutePath(path) || path.contains(QChar(QChar::Null))) {
         return {};
     }
     if (path.isEmpty()) {
