@@ -68,6 +68,18 @@ function(fumage_icons svg component)
     add_custom_target(${name}-icons ALL DEPENDS ${icons})
 endfunction()
 
+# fumage_handbook(<component>): the manual as the editor shows it, with the pages and the pictures that it links to, where its links find them.
+function(fumage_handbook component)
+    set(folder ${CMAKE_INSTALL_DATADIR}/fumage)
+    set(resources ${PROJECT_SOURCE_DIR}/resources)
+    install(DIRECTORY ${resources}/docs/manual DESTINATION ${folder}/docs COMPONENT ${component}
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.jpg" PATTERN "*.png" PATTERN "__pycache__" EXCLUDE)
+    file(GLOB pages ${resources}/docs/*.md)
+    install(FILES ${pages} DESTINATION ${folder}/docs COMPONENT ${component})
+    install(FILES ${resources}/parameters.md DESTINATION ${folder} COMPONENT ${component})
+    install(DIRECTORY ${resources}/pictures DESTINATION ${folder} COMPONENT ${component} FILES_MATCHING PATTERN "*.png")
+endfunction()
+
 # fumage_documents(<package> <component> [pages of resources/docs]...): licence, changelog and README, and what else concerns the package.
 function(fumage_documents package component)
     set(folder ${CMAKE_INSTALL_DATADIR}/doc/${package})

@@ -18,7 +18,7 @@ import tempfile
 SMALL = ["emitter.count=300", "air.resolution=16", "noise.slices=2", "noise.resolution=16", "light.resolution=8", "timeline.length=64"]
 PAGES = ("README.md", "resources/docs/command-line.md", "resources/docs/exporting.md")
 LINES, PROSE, ROW = 119, 100, 160  # the README's at most; the width of its text, and of a row of a table
-NO_SETTINGS = ("presets", "farm")  # commands that take no --set, or for which it makes nothing cheaper
+NO_SETTINGS = ("presets", "farm", "info", "parameters")  # commands that take no --set, or for which it makes nothing cheaper
 
 
 def blocks(text):
@@ -26,14 +26,14 @@ def blocks(text):
     return [(match[1], match[2].splitlines()) for match in re.finditer(r"^```(\w*)\n(.*?)^```$", text, re.M | re.S)]
 
 
-def shape_faults(text):
+def shape_faults(text, longest=LINES, row=ROW):
     """What is too long or too wide. Blocks are as wide as they must be, as is a line that is one picture or one link."""
     lines = text.splitlines()
-    faults = [f"{len(lines)} lines: {LINES} at most"] if len(lines) > LINES else []
+    faults = [f"{len(lines)} lines: {longest} at most"] if len(lines) > longest else []
     fenced = False
     for number, line in enumerate(lines, 1):
         fenced ^= line.startswith("```")
-        most = ROW if line.startswith("|") else PROSE
+        most = row if line.startswith("|") else PROSE
         if not fenced and len(line) > most and not re.fullmatch(r"\s*!?\[[^\]]*\]\([^)]*\)\S?", line):
             faults.append(f"line {number} has {len(line)} columns: {most} at most")
     return faults

@@ -32,6 +32,11 @@ done
 for page in fumage/farm.md fumage/games.md fumage/editor.md fumage/exporting.md fumage/presets.md fumage-cli/command-line.md fumage-cli/exporting.md fumage-cli/farm.md fumage-cli/parameters.md libfumage-dev/games.md; do
     [ -s "$root/usr/share/doc/$page" ] || fail "there is no $page"
 done
+# The manual that the editor shows, with what its first page and its pictures lead to.
+for file in docs/manual/README.md docs/manual/recipes.md docs/manual/parameters/look.md docs/manual/strips/look.opacity.jpg docs/editor.md parameters.md pictures/campfire.png; do
+    [ -s "$root/usr/share/fumage/$file" ] || fail "the manual has no $file"
+done
+[ -z "$(find "$root/usr/share/fumage" -name '*.py' -o -name '*.json')" ] || fail "the manual has what only makes it"
 # A game needs no headers where it runs, and finds the library by the name that it was linked with.
 soname=$(readelf -d "$root"/usr/lib/*/libfumage.so | sed -n 's/.*SONAME.*\[\(.*\)\].*/\1/p')
 [ "$library" = "libfumage${soname#libfumage.so.}" ] || fail "$library is not named after $soname"
