@@ -43,7 +43,7 @@ blockquote { margin-left: 0; padding-left: 1rem; border-left: 3px solid var(--li
 
 SEARCH = """
 'use strict';
-// Sections in which all words occur, those with a word in their heading first. What is found is shown as text, never as markup.
+// Sections in which all words occur, those of a parameter whose key is a word first, then those with a word in their heading. What is found is shown as text, never as markup.
 const box = document.getElementById('search');
 const found = document.getElementById('found');
 const root = box.dataset.root;
@@ -51,7 +51,8 @@ function score(section, words) {
   const title = section.title.toLowerCase(), text = section.text.toLowerCase();
   let sum = 0;
   for (const word of words) {
-    if (title.includes(word)) sum += 10;
+    if (section.url.endsWith('#' + word)) sum += 100;
+    else if (title.includes(word)) sum += 10;
     else if (text.includes(word)) sum += 1;
     else return 0;
   }
@@ -167,7 +168,7 @@ class Folder:
         for chapter in CHAPTERS:
             lines.append(f"<li>{entry(HERE / chapter)}")
             if chapter == "parameters/README.md":
-                groups = sorted((HERE / "parameters").glob("[a-z]*.md"))
+                groups = [HERE / "parameters" / name for name in re.findall(r"^## \[.*\]\((.*)\)$", (HERE / chapter).read_text(encoding="utf-8"), re.M)]
                 lines.append("<ul>" + "".join(f"<li>{entry(group)}</li>" for group in groups) + "</ul>")
             lines.append("</li>")
         return "<ul>\n" + "\n".join(lines) + "\n</ul>"

@@ -163,7 +163,8 @@ def main():
     for old in (HERE / "strips").glob("*.jpg"):
         if old.stem not in known:
             old.unlink()
-    print("\n".join(faults), file=sys.stderr)
+    for fault in faults:
+        print(fault, file=sys.stderr)
     return 1 if faults else 0
 
 
