@@ -74,7 +74,7 @@ def check_shape(pages):
 
 def check_written(manual, cli, folder):
     """The pages that are written by a program are as it writes them now."""
-    subprocess.run([sys.executable, str(manual / "pages.py"), cli, str(folder)], check=True)
+    subprocess.run([sys.executable, "-B", str(manual / "pages.py"), cli, str(folder)], check=True)
     for path in sorted(folder.rglob("*.md")):
         ours = manual / path.relative_to(folder)
         assert ours.exists() and ours.read_bytes() == path.read_bytes(), f"{ours} is not as it would be written now: ./dev manual pages"
@@ -177,7 +177,7 @@ def check_html(manual, folder):
     except ImportError:
         print("no HTML: there is no python3-markdown")
         return
-    subprocess.run([sys.executable, str(manual / "html_folder.py"), str(folder)], check=True)
+    subprocess.run([sys.executable, "-B", str(manual / "html_folder.py"), str(folder)], check=True)
     ids = {}
     for page in folder.rglob("*.html"):
         text = page.read_text(encoding="utf-8")
