@@ -102,13 +102,12 @@ function(fumage_documents package component)
     endif()
 endfunction()
 
-# The pages that the editor shows (Help > Manual): where they are installed, and that place seen from the program.
-set(FUMAGE_PAGES_FOLDER ${CMAKE_INSTALL_DATADIR}/doc/fumage/manual)
-file(RELATIVE_PATH FUMAGE_MANUAL_FROM_PROGRAM "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_DATADIR}/doc/fumage/manual")
+# The pages that the editor shows (Help > Manual), which fumage_handbook() installs, seen from the program.
+file(RELATIVE_PATH FUMAGE_MANUAL_FROM_PROGRAM "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_DATADIR}/fumage/docs")
 
 # fumage_link_manual(): puts the pages into the build tree, as far from its programs as they are from those that are installed.
 function(fumage_link_manual)
-    set(pages ${PROJECT_SOURCE_DIR}/resources/docs/manual)
+    set(pages ${PROJECT_SOURCE_DIR}/resources/docs)
     cmake_path(SET link NORMALIZE "${CMAKE_BINARY_DIR}/bin/${FUMAGE_MANUAL_FROM_PROGRAM}")
     cmake_path(IS_PREFIX CMAKE_BINARY_DIR "${link}" NORMALIZE is_inside)
     if(NOT is_inside OR NOT EXISTS ${pages})

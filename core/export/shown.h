@@ -16,7 +16,8 @@ struct Shown {
 /// timeline for what moves; else the whole timeline. Of a sheet numbered pictures are those of its cells' range.
 [[nodiscard]] FrameRange framesOf(ExportKind kind, const Timeline& timeline, const Shown& shown);
 
-/// Makes a plan one for a sheet again: its cells, passes, packed pictures, sheets of layers, and engine. Output, format and size stay.
+/// Makes a plan one for a sheet again: its cells, passes, packed pictures, sheets of layers, and engine. Output, format
+/// and size stay.
 void takeSheet(const FlipbookOptions& sheet, ExportPlan& plan);
 
 } // namespace fumage

@@ -22,7 +22,8 @@ struct EmitterPose {
 /// @error OutOfRange where it has no direction or is no number
 [[nodiscard]] Result<EmitterPose> checkedPose(const EmitterPose& pose);
 
-/// A pose on the way from one to another, straight, the normal turning with it; a turn to almost the opposite has happened at once.
+/// A pose on the way from one to another, straight, the normal turning with it; a turn to almost the opposite has
+/// happened at once.
 /// @param share 0 to 1; 1 is the other, to the bit
 [[nodiscard]] EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share);
 

@@ -60,12 +60,13 @@ QStringList linksIn(const QString& markdown)
 
 } // namespace
 
-Manual::Manual(const QString& folder)
-    : m_root(QFileInfo(folder).canonicalFilePath())
+Manual::Manual(const ManualFolders& folders)
+    : m_root(QFileInfo(folders.pages).canonicalFilePath())
+    , m_pictures(folders.pictures.isEmpty() ? QString() : QFileInfo(folders.pictures).canonicalFilePath())
 {
     if (m_root.isEmpty() || !QFileInfo(m_root).isDir()) {
         m_problem = manualText(QT_TRANSLATE_NOOP("Manual", "The manual is not installed: there is no folder %1."))
-                        .arg(QDir::toNativeSeparators(QDir::cleanPath(folder)));
+                        .arg(QDir::toNativeSeparators(QDir::cleanPath(folders.pages)));
         return;
     }
     load();
@@ -99,6 +100,7 @@ QStringList Manual::filesInOrder() const
     while (files.hasNext() && all.size() < kMaxPages) {
         all += QDir(m_root).relativeFilePath(files.next());
     }
+    std::erase_if(all, [](const QString& file) { return file.startsWith(QStringLiteral("decisions/")); });
     all.sort();
     QStringList ordered;
     const auto add = [&](const QString& file) {
@@ -108,7 +110,9 @@ QStringList Manual::filesInOrder() const
         }
         return isNew;
     };
-    const QString index = all.contains(QStringLiteral("index.md")) ? QStringLiteral("index.md") : kReadme;
+    const QStringList names{QStringLiteral("index.md"), QStringLiteral("manual/README.md"), kReadme};
+    const auto first = std::ranges::find_if(names, [&all](const QString& name) { return all.contains(name); });
+    const QString index = first != names.end() ? *first : QString();
     if (add(index)) {
         const QStringList chapters = linkedFrom(index);
         for (const QString& chapter : chapters) {
@@ -146,7 +150,8 @@ QString Manual::inside(const QString& from, const QString& link) const
     const QString name = QDir::cleanPath(QFileInfo(from).path() + QLatin1Char('/') + path);
     const QFileInfo file(m_root + QLatin1Char('/') + name);
     const QString canonical = file.canonicalFilePath();
-    const bool isInside = !name.startsWith(QStringLiteral("..")) && canonical.startsWith(m_root + QLatin1Char('/'));
+    const bool isInside = canonical.startsWith(m_root + QLatin1Char('/'))
+        || (!m_pictures.isEmpty() && canonical.startsWith(m_pictures + QLatin1Char('/')));
     return isInside && file.isFile() ? name : QString();
 }
 
@@ -156,10 +161,16 @@ int Manual::indexOf(const QString& file) const
     return found == m_pages.end() ? -1 : static_cast<int>(found - m_pages.begin());
 }
 
+int Manual::indexOfGroup(const QString& group) const
+{
+    const QString name = QStringLiteral("parameters/%1.md").arg(group);
+    return std::max(indexOf(name), indexOf(QStringLiteral("manual/") + name));
+}
+
 std::optional<ManualPlace> Manual::find(const QString& anchor) const
 {
     const QString group = anchor.section(QLatin1Char('.'), 0, 0);
-    const int ofGroup = indexOf(QStringLiteral("parameters/%1.md").arg(group));
+    const int ofGroup = indexOfGroup(group);
     if (anchor == group && ofGroup >= 0) {
         return ManualPlace{ofGroup, {}};
     }
@@ -185,9 +196,11 @@ QString Manual::picture(int page, const QString& link) const
     return name.isEmpty() ? QString() : QFileInfo(m_root + QLatin1Char('/') + name).canonicalFilePath();
 }
 
-QString manualFolder()
+ManualFolders manualFolders()
 {
-    return QDir::cleanPath(QCoreApplication::applicationDirPath() + QStringLiteral("/" FUMAGE_MANUAL_FROM_PROGRAM));
+    const QString pages =
+        QDir::cleanPath(QCoreApplication::applicationDirPath() + QStringLiteral("/" FUMAGE_MANUAL_FROM_PROGRAM));
+    return {pages, QFileInfo(QFileInfo(pages).canonicalFilePath()).path() + QStringLiteral("/pictures")};
 }
 
 } // namespace fumage::ui

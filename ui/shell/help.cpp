@@ -190,11 +190,11 @@ void showReference(QWidget* parent, const QString& anchor, const QString& note)
         parameterReference(), anchor, note);
 }
 
-void showManual(QWidget* parent, Settings& settings, const QString& folder, const QString& anchor)
+void showManual(QWidget* parent, Settings& settings, const ManualFolders& folders, const QString& anchor)
 {
     auto* window = parent->findChild<ManualWindow*>();
     if (window == nullptr) {
-        Manual manual(folder);
+        Manual manual(folders);
         if (!manual.problem().isEmpty()) {
             showReference(parent, anchor,
                 helpText(QT_TRANSLATE_NOOP("Help", "%1 These are the tips of all parameters.")).arg(manual.problem()));

@@ -7,6 +7,7 @@ class QWidget;
 namespace fumage::ui {
 
 class Settings;
+struct ManualFolders;
 
 /// The reference of all parameters as rich text, made from the parameter table; each has its key as an anchor.
 [[nodiscard]] QString parameterReference();
@@ -29,9 +30,9 @@ void showReference(QWidget* parent, const QString& anchor = {}, const QString& n
 /// Shows the manual in a window that stays open beside the work, or brings that to the front; where there is none, the
 /// reference of parameters, which says why.
 /// @param settings remember size and place of the window
-/// @param folder   of the manual
+/// @param folders  of the manual
 /// @param anchor   where to begin, as above
-void showManual(QWidget* parent, Settings& settings, const QString& folder, const QString& anchor = {});
+void showManual(QWidget* parent, Settings& settings, const ManualFolders& folders, const QString& anchor = {});
 void showShortcuts(QWidget* parent);
 void showAbout(QWidget* parent);
 

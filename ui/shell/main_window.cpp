@@ -170,7 +170,7 @@ void MainWindow::connectWindowActions()
         m_docks.arrange();
     });
     m_actions.on("help.manual", this,
-        [this] { showManual(this, m_services.settings(), manualFolder(), referenceAnchorAtHand()); });
+        [this] { showManual(this, m_services.settings(), manualFolders(), referenceAnchorAtHand()); });
     m_actions.on("help.tour", this, [this] { startTour(); });
     m_actions.on("help.shortcuts", this, [this] { showShortcuts(this); });
     m_actions.on("help.about", this, [this] { showAbout(this); });
