@@ -51,14 +51,20 @@ void addVideo(const Scene& scene, const ExportPlan& plan, std::vector<Message>& 
     }
 }
 
-Message said(KeyFault fault, std::string_view key)
+void addFault(KeyFault fault, std::string_view key, std::vector<Message>& remarks)
 {
     switch (fault) {
-    case KeyFault::OpenLoop: return makeMessage("%1 does not end as it begins, so the loop jumps there", key);
-    case KeyFault::AfterEnd: return makeMessage("%1 has key frames after the end of the timeline", key);
-    case KeyFault::RateJumps: break;
+    case KeyFault::OpenLoop:
+        remarks.push_back(makeMessage("%1 does not end as it begins, so the loop jumps there", key));
+        break;
+    case KeyFault::AfterEnd:
+        remarks.push_back(makeMessage("%1 has key frames after the end of the timeline", key));
+        break;
+    case KeyFault::RateJumps:
+        remarks.push_back(makeMessage(
+            "%1 changes at once at a held key frame, so what it drives changes its pace with a jerk", key));
+        break;
     }
-    return makeMessage("%1 changes at once at a held key frame, so what it drives changes its pace with a jerk", key);
 }
 
 /// What key frames do that nobody may want.
@@ -67,7 +73,7 @@ void addTracks(const Scene& scene, std::vector<Message>& remarks)
     const auto look = [&](const Tracks& tracks) {
         for (const Track& track : tracks.all()) {
             for (const KeyFault fault : keyFaults(track, scene.timeline)) {
-                remarks.push_back(said(fault, track.parameter->key));
+                addFault(fault, track.parameter->key, remarks);
             }
         }
     };

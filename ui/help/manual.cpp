@@ -100,7 +100,7 @@ QStringList Manual::filesInOrder() const
     while (files.hasNext() && all.size() < kMaxPages) {
         all += QDir(m_root).relativeFilePath(files.next());
     }
-    std::erase_if(all, [](const QString& file) { return file.startsWith(QStringLiteral("decisions/")); });
+    all.removeIf([](const QString& file) { return file.startsWith(QStringLiteral("decisions/")); });
     all.sort();
     QStringList ordered;
     const auto add = [&](const QString& file) {
