@@ -78,7 +78,8 @@ public:
         assert(ok());
         return std::get<0>(m_state);
     }
-    [[nodiscard]] T&& value() &&
+    /// Of one that goes away: by value, so that a loop over what a function returns does not outlive it.
+    [[nodiscard]] T value() &&
     {
         assert(ok());
         return std::get<0>(std::move(m_state));

@@ -28,8 +28,8 @@ struct ManualFolders {
 };
 
 /// The pages of the manual, read from a folder that may hold anything: nothing outside it, and outside of the pictures
-/// that lie beside it, is looked at, through links neither; what is too large, no UTF-8 or not to be read becomes a page
-/// that says so.
+/// that lie beside it, is looked at, through links neither; what is too large, no UTF-8 or not to be read becomes a
+/// page that says so.
 class Manual {
 public:
     static constexpr qint64 kMaxPageBytes = 256 * 1024;
