@@ -204,10 +204,6 @@
         <translation>&amp;Ta över B</translation>
     </message>
     <message>
-        <source>&amp;Parameter reference</source>
-        <translation>&amp;Parameterreferens</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard shortcuts</source>
         <translation>&amp;Kortkommandon</translation>
     </message>
@@ -330,6 +326,30 @@
     <message>
         <source>&amp;Auto-key: each edit sets a key frame</source>
         <translation>&amp;Autonyckel: varje ändring sätter en nyckelbildruta</translation>
+    </message>
+    <message>
+        <source>Add a &amp;marker</source>
+        <translation>Lägg till en &amp;markör</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious marker</source>
+        <translation>F&amp;öregående markör</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt marker</source>
+        <translation>&amp;Nästa markör</translation>
+    </message>
+    <message>
+        <source>&amp;Graph of key frames</source>
+        <translation>Nyckelbildrutornas &amp;kurvor</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbok</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Rundtur</translation>
     </message>
 </context>
 <context>
@@ -718,6 +738,18 @@
     <message>
         <source>Scene</source>
         <translation>Scen</translation>
+    </message>
+    <message>
+        <source>Only the parameters that have key frames</source>
+        <translation>Bara de parametrar som har nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>Nothing has key frames: the diamond beside a parameter sets one.</source>
+        <translation>Inget har nyckelbildrutor: romben bredvid en parameter sätter en.</translation>
+    </message>
+    <message>
+        <source>Nothing that has key frames differs from the preset.</source>
+        <translation>Inget som har nyckelbildrutor skiljer sig från förinställningen.</translation>
     </message>
 </context>
 <context>
@@ -1394,6 +1426,21 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::GraphCurves</name>
+    <message>
+        <source>red</source>
+        <translation>rött</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grönt</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blått</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::GuardedApplication</name>
     <message>
         <source>Not enough memory</source>
@@ -1438,6 +1485,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
 
 Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Högskolan i Gävle, 2012. Byggd med Qt, GLM, Highway, oneTBB, libpng och OpenEXR.</translation>
     </message>
+    <message>
+        <source>%1 These are the tips of all parameters.</source>
+        <translation>%1 Detta är alla parametrars tips.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::HistoryView</name>
@@ -1475,6 +1526,41 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Ease of key frames</source>
         <translation>Nyckelbildrutors övergång</translation>
     </message>
+    <message>
+        <source>Mend key frames of %1</source>
+        <translation>Laga nyckelbildrutorna för %1</translation>
+    </message>
+    <message>
+        <source>Mend key frames</source>
+        <translation>Laga nyckelbildrutor</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyGraph</name>
+    <message>
+        <source>Curves of key frames</source>
+        <translation>Nyckelbildrutornas kurvor</translation>
+    </message>
+    <message>
+        <source>Drag keys and their handles (Ctrl: one side alone); a double-click on a curve adds a key; the wheel zooms the values, F shows all</source>
+        <translation>Dra nycklar och deras handtag (Ctrl: bara en sida); dubbelklick på en kurva lägger till en nyckel; hjulet zoomar värdena, F visar allt</translation>
+    </message>
+    <message>
+        <source>Move key frames</source>
+        <translation>Flytta nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>Bend a curve</source>
+        <translation>Böj en kurva</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>på</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>av</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::KeyLanes</name>
@@ -1487,6 +1573,55 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Dra nyckelbildrutor till andra tider; Alt sträcker ut, Delete tar bort, dubbelklick lägger till</translation>
     </message>
     <message>
+        <source>Move key frames</source>
+        <translation>Flytta nyckelbildrutor</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMark</name>
+    <message>
+        <source>Key frame of %1</source>
+        <translation>Nyckelbildruta för %1</translation>
+    </message>
+    <message>
+        <source>Key frame here; click to remove it</source>
+        <translation>Nyckelbildruta här; klicka för att ta bort den</translation>
+    </message>
+    <message>
+        <source>Click to set a key frame at the time that is shown</source>
+        <translation>Klicka för att sätta en nyckelbildruta vid den visade tiden</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMends</name>
+    <message>
+        <source>It does not end as it begins, so the loop jumps there.</source>
+        <translation>Den slutar inte som den börjar, så slingan hoppar där.</translation>
+    </message>
+    <message>
+        <source>It has key frames after the end of the timeline.</source>
+        <translation>Den har nyckelbildrutor efter tidslinjens slut.</translation>
+    </message>
+    <message>
+        <source>It changes at once at a held key frame, so what it drives changes its pace with a jerk.</source>
+        <translation>Den ändras på en gång vid en hållen nyckelbildruta, så det den driver byter takt med ett ryck.</translation>
+    </message>
+    <message>
+        <source>Make periodic</source>
+        <translation>Gör periodisk</translation>
+    </message>
+    <message>
+        <source>Move into the timeline</source>
+        <translation>Flytta in i tidslinjen</translation>
+    </message>
+    <message>
+        <source>Smooth the jumps</source>
+        <translation>Jämna ut hoppen</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMenu</name>
+    <message>
         <source>Smooth</source>
         <translation>Mjuk</translation>
     </message>
@@ -1497,6 +1632,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Hold</source>
         <translation>Håll</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Fri</translation>
+    </message>
+    <message>
+        <source>Ease in</source>
+        <translation>Mjuk in</translation>
+    </message>
+    <message>
+        <source>Ease out</source>
+        <translation>Mjuk ut</translation>
+    </message>
+    <message>
+        <source>Ease in and out</source>
+        <translation>Mjuk in och ut</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -1526,24 +1677,40 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Remove</source>
         <translation>Ta bort</translation>
     </message>
-    <message>
-        <source>Move key frames</source>
-        <translation>Flytta nyckelbildrutor</translation>
-    </message>
 </context>
 <context>
-    <name>fumage::ui::KeyMark</name>
+    <name>fumage::ui::KeyTable</name>
     <message>
-        <source>Key frame of %1</source>
-        <translation>Nyckelbildruta för %1</translation>
+        <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Tabeller (*.csv *.tsv *.txt);;Alla filer (*)</translation>
     </message>
     <message>
-        <source>Key frame here; click to remove it</source>
-        <translation>Nyckelbildruta här; klicka för att ta bort den</translation>
+        <source>The key frames could not be written</source>
+        <translation>Nyckelbildrutorna kunde inte skrivas</translation>
     </message>
     <message>
-        <source>Click to set a key frame at the time that is shown</source>
-        <translation>Klicka för att sätta en nyckelbildruta vid den visade tiden</translation>
+        <source>Write as CSV…</source>
+        <translation>Skriv som CSV…</translation>
+    </message>
+    <message>
+        <source>Write key frames</source>
+        <translation>Skriv nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>Read from CSV…</source>
+        <translation>Läs från CSV…</translation>
+    </message>
+    <message>
+        <source>Read key frames</source>
+        <translation>Läs nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>The key frames could not be read</source>
+        <translation>Nyckelbildrutorna kunde inte läsas</translation>
+    </message>
+    <message>
+        <source>Read key frames of %1</source>
+        <translation>Läs nyckelbildrutor för %1</translation>
     </message>
 </context>
 <context>
@@ -1817,6 +1984,160 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen that the tour could show.</source>
+        <translation>Det syns inget som rundturen kunde visa.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Manual</name>
+    <message>
+        <source>The page %1 cannot be read.</source>
+        <translation>Sidan %1 kan inte läsas.</translation>
+    </message>
+    <message>
+        <source>The page %1 is too large.</source>
+        <translation>Sidan %1 är för stor.</translation>
+    </message>
+    <message>
+        <source>The page %1 is not UTF-8 text.</source>
+        <translation>Sidan %1 är inte text i UTF-8.</translation>
+    </message>
+    <message>
+        <source>The manual is not installed: there is no folder %1.</source>
+        <translation>Handboken är inte installerad: det finns ingen mapp %1.</translation>
+    </message>
+    <message>
+        <source>The manual has no pages that can be read in %1.</source>
+        <translation>Handboken har inga läsbara sidor i %1.</translation>
+    </message>
+    <message>
+        <source>The page %1 has a paragraph that is too long.</source>
+        <translation>Sidan %1 har ett för långt stycke.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ManualDocument</name>
+    <message>
+        <source>[This picture cannot be shown: %1]</source>
+        <translation>[Bilden kan inte visas: %1]</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ManualView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Handbokens sida</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ManualWindow</name>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Bakåt (Alt+Vänster)</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Framåt (Alt+Höger)</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbok</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Handbokens innehåll</translation>
+    </message>
+    <message>
+        <source>Found in the manual</source>
+        <translation>Hittat i handboken</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meddelande</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Sök i handboken</translation>
+    </message>
+    <message>
+        <source>Search the manual (Ctrl+F)</source>
+        <translation>Sök i handboken (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>The manual has nothing about “%1”.</source>
+        <translation>Handboken har inget om ”%1”.</translation>
+    </message>
+    <message>
+        <source>This page has no place “%1”.</source>
+        <translation>Sidan har inget ställe ”%1”.</translation>
+    </message>
+    <message>
+        <source>%1 — Manual</source>
+        <translation>%1 — Handbok</translation>
+    </message>
+    <message>
+        <source>This leads out of the manual, and is not opened: %1</source>
+        <translation>Detta leder ut ur handboken och öppnas inte: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No results for “%1”. Try a part of a word, or another word.</source>
+        <translation>Inga träffar på ”%1”. Försök med en del av ett ord, eller ett annat ord.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MarkerEdits</name>
+    <message>
+        <source>Marker %1</source>
+        <translation>Markör %1</translation>
+    </message>
+    <message>
+        <source>Add a marker</source>
+        <translation>Lägg till en markör</translation>
+    </message>
+    <message>
+        <source>Rename a marker</source>
+        <translation>Byt namn på en markör</translation>
+    </message>
+    <message>
+        <source>Remove a marker</source>
+        <translation>Ta bort en markör</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MarkerLane</name>
+    <message>
+        <source>Markers</source>
+        <translation>Markörer</translation>
+    </message>
+    <message>
+        <source>Move a marker</source>
+        <translation>Flytta en markör</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 vid %2 s</translation>
+    </message>
+    <message>
+        <source>Name of the marker</source>
+        <translation>Markörens namn</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Byt namn…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Add a marker at the frame that is shown</source>
+        <translation>Lägg till en markör vid den visade bildrutan</translation>
     </message>
 </context>
 <context>
@@ -3302,6 +3623,90 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Use one of %1</source>
         <translation>Använd ett av %1</translation>
+    </message>
+    <message>
+        <source>there is no marker number %1</source>
+        <translation>det finns ingen markör nummer %1</translation>
+    </message>
+    <message>
+        <source>%1 changes at once at a held key frame, so what it drives changes its pace with a jerk</source>
+        <translation>%1 ändras på en gång vid en hållen nyckelbildruta, så det den driver byter takt med ett ryck</translation>
+    </message>
+    <message>
+        <source>markers after the end of the timeline: %1</source>
+        <translation>markörer efter tidslinjens slut: %1</translation>
+    </message>
+    <message>
+        <source>markers outside of the frames of the sheet: %1</source>
+        <translation>markörer utanför arkets bildrutor: %1</translation>
+    </message>
+    <message>
+        <source>a marker is an object with a %1 in quotes and a %2 in seconds</source>
+        <translation>en markör är ett objekt med ett %1 inom citattecken och ett %2 i sekunder</translation>
+    </message>
+    <message>
+        <source>%1 markers, at most %2 are possible</source>
+        <translation>%1 markörer, högst %2 är möjliga</translation>
+    </message>
+    <message>
+        <source>the marker with the unknown member %1 is kept but has no effect</source>
+        <translation>markören med den okända medlemmen %1 behålls men har ingen verkan</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>rad %1</translation>
+    </message>
+    <message>
+        <source>%1 is no time</source>
+        <translation>%1 är ingen tid</translation>
+    </message>
+    <message>
+        <source>Write seconds, then the value, with commas between</source>
+        <translation>Skriv sekunder och sedan värdet, med komma emellan</translation>
+    </message>
+    <message>
+        <source>the name of a marker is not UTF-8</source>
+        <translation>namnet på en markör är inte UTF-8</translation>
+    </message>
+    <message>
+        <source>a marker&apos;s name of %1 bytes</source>
+        <translation>ett markörnamn på %1 byte</translation>
+    </message>
+    <message>
+        <source>the name of a marker is empty or has control characters: %1</source>
+        <translation>namnet på en markör är tomt eller har styrtecken: %1</translation>
+    </message>
+    <message>
+        <source>Name it with letters, digits, spaces and signs</source>
+        <translation>Ge den ett namn av bokstäver, siffror, blanksteg och tecken</translation>
+    </message>
+    <message>
+        <source>the time of a marker is no number</source>
+        <translation>tiden för en markör är inget tal</translation>
+    </message>
+    <message>
+        <source>a marker lies at %1 s</source>
+        <translation>en markör ligger vid %1 s</translation>
+    </message>
+    <message>
+        <source>Markers lie from 0 to %1 s</source>
+        <translation>Markörer ligger från 0 till %1 s</translation>
+    </message>
+    <message>
+        <source>the marker at %1 s comes after one at %2 s</source>
+        <translation>markören vid %1 s kommer efter en vid %2 s</translation>
+    </message>
+    <message>
+        <source>Markers stand in the order of their times</source>
+        <translation>Markörer står i tidsordning</translation>
+    </message>
+    <message>
+        <source>invalid marker %1</source>
+        <translation>ogiltig markör %1</translation>
+    </message>
+    <message>
+        <source>Write NAME=SECONDS, with ; between several times, or NAME= to take them out</source>
+        <translation>Skriv NAMN=SEKUNDER, med ; mellan flera tider, eller NAMN= för att ta bort dem</translation>
     </message>
 </context>
 <context>
@@ -5175,6 +5580,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>picture</source>
         <translation>bild</translation>
     </message>
+    <message>
+        <source>Parent&apos;s life from</source>
+        <translation>Förälderns liv från</translation>
+    </message>
+    <message>
+        <source>Of a layer whose particles are born on those of another: the share of a parent&apos;s life from which on they are. 0.9: near its death, as the stars of a firework&apos;s shell.</source>
+        <translation>För ett lager vars partiklar föds på ett annats: den andel av en förälders liv från vilken de föds. 0.9: nära dess död, som stjärnorna ur ett fyrverkeri.</translation>
+    </message>
+    <message>
+        <source>Parent&apos;s life to</source>
+        <translation>Förälderns liv till</translation>
+    </message>
+    <message>
+        <source>Of a layer whose particles are born on those of another: the share of a parent&apos;s life up to which they are. 0.1: while it is young.</source>
+        <translation>För ett lager vars partiklar föds på ett annats: den andel av en förälders liv till vilken de föds. 0.1: medan den är ung.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>
@@ -6099,6 +6520,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Solo is of the view only: %1 layers are exported.</source>
         <translation>Solo gäller bara vyn: %1 lager exporteras.</translation>
     </message>
+    <message>
+        <source>Mend key frames</source>
+        <translation>Laga nyckelbildrutor</translation>
+    </message>
+    <message>
+        <source>Moves key frames into the timeline, closes loops, and lets rates change smoothly: one undo step</source>
+        <translation>Flyttar in nyckelbildrutor i tidslinjen, sluter slingor och låter takter ändras mjukt: ett ångrasteg</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineBar</name>
@@ -6166,6 +6595,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>What there is no room for</source>
         <translation>Det som inte får plats</translation>
     </message>
+    <message>
+        <source>Show the curves of key frames in a graph (Shift+G)</source>
+        <translation>Visa nyckelbildrutornas kurvor i ett diagram (Shift+G)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineRuler</name>
@@ -6180,6 +6613,25 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>air %1 %</source>
         <translation>luft %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Bakåt</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nästa</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klar</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
     </message>
 </context>
 <context>
@@ -6253,6 +6705,36 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Auto-key</source>
         <translation>Autonyckel</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ViewportInput</name>
+    <message>
+        <source>Move a key frame of the way</source>
+        <translation>Flytta en nyckelbildruta på vägen</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::WindowTour</name>
+    <message>
+        <source>This is the smoke. Drag in it to look from another side, and turn the wheel to come nearer.</source>
+        <translation>Detta är röken. Dra i den för att se från en annan sida, och vrid på hjulet för att komma närmare.</translation>
+    </message>
+    <message>
+        <source>These are its parameters. Drag a number sideways, or click it and type: the smoke follows at once. F1 explains the one under the mouse.</source>
+        <translation>Detta är dess parametrar. Dra ett tal i sidled, eller klicka på det och skriv: röken följer genast. F1 förklarar den under musen.</translation>
+    </message>
+    <message>
+        <source>This plays the smoke and holds it, as Space does. Drag in the timeline to go to another frame.</source>
+        <translation>Detta spelar upp röken och stannar den, som blanksteg gör. Dra i tidslinjen för att gå till en annan bildruta.</translation>
+    </message>
+    <message>
+        <source>The diamond sets a key frame: change the number at another frame, and it changes over time.</source>
+        <translation>Romben sätter en nyckelbildruta: ändra talet vid en annan bildruta, så ändras det över tid.</translation>
+    </message>
+    <message>
+        <source>This takes the smoke away: as a flipbook, an image sequence, a video or data for an engine. Help &gt; Tour shows all of this again.</source>
+        <translation>Härifrån tar du med dig röken: som flipbook, bildsekvens, video eller data för en motor. Hjälp &gt; Rundtur visar allt detta igen.</translation>
     </message>
 </context>
 <context>

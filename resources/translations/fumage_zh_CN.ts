@@ -204,10 +204,6 @@
         <translation>采用 B(&amp;A)</translation>
     </message>
     <message>
-        <source>&amp;Parameter reference</source>
-        <translation>参数手册(&amp;P)</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard shortcuts</source>
         <translation>键盘快捷键(&amp;K)</translation>
     </message>
@@ -330,6 +326,30 @@
     <message>
         <source>&amp;Auto-key: each edit sets a key frame</source>
         <translation>自动关键帧：每次编辑都设置关键帧(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Add a &amp;marker</source>
+        <translation>添加标记(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious marker</source>
+        <translation>上一个标记(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt marker</source>
+        <translation>下一个标记(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Graph of key frames</source>
+        <translation>关键帧曲线图(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>手册(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>导览(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -718,6 +738,18 @@
     <message>
         <source>Scene</source>
         <translation>场景</translation>
+    </message>
+    <message>
+        <source>Only the parameters that have key frames</source>
+        <translation>仅显示有关键帧的参数</translation>
+    </message>
+    <message>
+        <source>Nothing has key frames: the diamond beside a parameter sets one.</source>
+        <translation>没有任何关键帧：参数旁的菱形可设置一个。</translation>
+    </message>
+    <message>
+        <source>Nothing that has key frames differs from the preset.</source>
+        <translation>有关键帧的参数都与预设相同。</translation>
     </message>
 </context>
 <context>
@@ -1394,6 +1426,21 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::GraphCurves</name>
+    <message>
+        <source>red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>蓝</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::GuardedApplication</name>
     <message>
         <source>Not enough memory</source>
@@ -1438,6 +1485,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
 
 模型源自 Lin 与 Lin 的《Smoke Simulation with Perlin Noise》，耶夫勒大学，2012 年。使用 Qt、GLM、Highway、oneTBB、libpng 和 OpenEXR 制作。</translation>
     </message>
+    <message>
+        <source>%1 These are the tips of all parameters.</source>
+        <translation>%1 以下是所有参数的提示。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::HistoryView</name>
@@ -1475,6 +1526,41 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Ease of key frames</source>
         <translation>关键帧的缓动</translation>
     </message>
+    <message>
+        <source>Mend key frames of %1</source>
+        <translation>修正%1的关键帧</translation>
+    </message>
+    <message>
+        <source>Mend key frames</source>
+        <translation>修正关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyGraph</name>
+    <message>
+        <source>Curves of key frames</source>
+        <translation>关键帧曲线</translation>
+    </message>
+    <message>
+        <source>Drag keys and their handles (Ctrl: one side alone); a double-click on a curve adds a key; the wheel zooms the values, F shows all</source>
+        <translation>拖动关键帧及其手柄（Ctrl：仅一侧）；双击曲线添加关键帧；滚轮缩放数值，F 显示全部</translation>
+    </message>
+    <message>
+        <source>Move key frames</source>
+        <translation>移动关键帧</translation>
+    </message>
+    <message>
+        <source>Bend a curve</source>
+        <translation>弯曲曲线</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::KeyLanes</name>
@@ -1487,6 +1573,55 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>拖动关键帧到其他时间；Alt 拉伸，Delete 移除，双击添加</translation>
     </message>
     <message>
+        <source>Move key frames</source>
+        <translation>移动关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMark</name>
+    <message>
+        <source>Key frame of %1</source>
+        <translation>%1的关键帧</translation>
+    </message>
+    <message>
+        <source>Key frame here; click to remove it</source>
+        <translation>此处有关键帧；单击移除</translation>
+    </message>
+    <message>
+        <source>Click to set a key frame at the time that is shown</source>
+        <translation>单击在当前时间设置关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMends</name>
+    <message>
+        <source>It does not end as it begins, so the loop jumps there.</source>
+        <translation>结尾与开头不同，循环会在此跳变。</translation>
+    </message>
+    <message>
+        <source>It has key frames after the end of the timeline.</source>
+        <translation>时间线结束之后还有关键帧。</translation>
+    </message>
+    <message>
+        <source>It changes at once at a held key frame, so what it drives changes its pace with a jerk.</source>
+        <translation>它在保持的关键帧处突变，受它驱动的运动会突然变速。</translation>
+    </message>
+    <message>
+        <source>Make periodic</source>
+        <translation>使其周期化</translation>
+    </message>
+    <message>
+        <source>Move into the timeline</source>
+        <translation>移入时间线</translation>
+    </message>
+    <message>
+        <source>Smooth the jumps</source>
+        <translation>平滑跳变</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::KeyMenu</name>
+    <message>
         <source>Smooth</source>
         <translation>平滑</translation>
     </message>
@@ -1497,6 +1632,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Hold</source>
         <translation>保持</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Ease in</source>
+        <translation>缓入</translation>
+    </message>
+    <message>
+        <source>Ease out</source>
+        <translation>缓出</translation>
+    </message>
+    <message>
+        <source>Ease in and out</source>
+        <translation>缓入缓出</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -1526,24 +1677,40 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Remove</source>
         <translation>移除</translation>
     </message>
-    <message>
-        <source>Move key frames</source>
-        <translation>移动关键帧</translation>
-    </message>
 </context>
 <context>
-    <name>fumage::ui::KeyMark</name>
+    <name>fumage::ui::KeyTable</name>
     <message>
-        <source>Key frame of %1</source>
-        <translation>%1的关键帧</translation>
+        <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>表格 (*.csv *.tsv *.txt);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Key frame here; click to remove it</source>
-        <translation>此处有关键帧；单击移除</translation>
+        <source>The key frames could not be written</source>
+        <translation>无法写入关键帧</translation>
     </message>
     <message>
-        <source>Click to set a key frame at the time that is shown</source>
-        <translation>单击在当前时间设置关键帧</translation>
+        <source>Write as CSV…</source>
+        <translation>写为 CSV…</translation>
+    </message>
+    <message>
+        <source>Write key frames</source>
+        <translation>写入关键帧</translation>
+    </message>
+    <message>
+        <source>Read from CSV…</source>
+        <translation>从 CSV 读取…</translation>
+    </message>
+    <message>
+        <source>Read key frames</source>
+        <translation>读取关键帧</translation>
+    </message>
+    <message>
+        <source>The key frames could not be read</source>
+        <translation>无法读取关键帧</translation>
+    </message>
+    <message>
+        <source>Read key frames of %1</source>
+        <translation>读取%1的关键帧</translation>
     </message>
 </context>
 <context>
@@ -1817,6 +1984,160 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>OK</source>
         <translation>确定</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen that the tour could show.</source>
+        <translation>没有可供导览展示的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Manual</name>
+    <message>
+        <source>The page %1 cannot be read.</source>
+        <translation>无法读取页面 %1。</translation>
+    </message>
+    <message>
+        <source>The page %1 is too large.</source>
+        <translation>页面 %1 太大。</translation>
+    </message>
+    <message>
+        <source>The page %1 is not UTF-8 text.</source>
+        <translation>页面 %1 不是 UTF-8 文本。</translation>
+    </message>
+    <message>
+        <source>The manual is not installed: there is no folder %1.</source>
+        <translation>手册未安装：没有文件夹 %1。</translation>
+    </message>
+    <message>
+        <source>The manual has no pages that can be read in %1.</source>
+        <translation>%1 中没有可读的手册页面。</translation>
+    </message>
+    <message>
+        <source>The page %1 has a paragraph that is too long.</source>
+        <translation>页面 %1 有过长的段落。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ManualDocument</name>
+    <message>
+        <source>[This picture cannot be shown: %1]</source>
+        <translation>[无法显示此图片：%1]</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ManualView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>手册页面</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ManualWindow</name>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>后退 (Alt+左)</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>前进 (Alt+右)</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>手册目录</translation>
+    </message>
+    <message>
+        <source>Found in the manual</source>
+        <translation>手册中的搜索结果</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>搜索手册</translation>
+    </message>
+    <message>
+        <source>Search the manual (Ctrl+F)</source>
+        <translation>搜索手册 (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>The manual has nothing about “%1”.</source>
+        <translation>手册中没有关于“%1”的内容。</translation>
+    </message>
+    <message>
+        <source>This page has no place “%1”.</source>
+        <translation>本页没有位置“%1”。</translation>
+    </message>
+    <message>
+        <source>%1 — Manual</source>
+        <translation>%1 — 手册</translation>
+    </message>
+    <message>
+        <source>This leads out of the manual, and is not opened: %1</source>
+        <translation>此链接指向手册之外，不会打开：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>No results for “%1”. Try a part of a word, or another word.</source>
+        <translation>没有“%1”的结果。请尝试词的一部分或其他词。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MarkerEdits</name>
+    <message>
+        <source>Marker %1</source>
+        <translation>标记 %1</translation>
+    </message>
+    <message>
+        <source>Add a marker</source>
+        <translation>添加标记</translation>
+    </message>
+    <message>
+        <source>Rename a marker</source>
+        <translation>重命名标记</translation>
+    </message>
+    <message>
+        <source>Remove a marker</source>
+        <translation>移除标记</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MarkerLane</name>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Move a marker</source>
+        <translation>移动标记</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1，%2 秒</translation>
+    </message>
+    <message>
+        <source>Name of the marker</source>
+        <translation>标记名称</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Add a marker at the frame that is shown</source>
+        <translation>在当前帧添加标记</translation>
     </message>
 </context>
 <context>
@@ -3302,6 +3623,90 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Use one of %1</source>
         <translation>请使用 %1 之一</translation>
+    </message>
+    <message>
+        <source>there is no marker number %1</source>
+        <translation>没有编号为 %1 的标记</translation>
+    </message>
+    <message>
+        <source>%1 changes at once at a held key frame, so what it drives changes its pace with a jerk</source>
+        <translation>%1 在保持的关键帧处突变，受它驱动的运动会突然变速</translation>
+    </message>
+    <message>
+        <source>markers after the end of the timeline: %1</source>
+        <translation>时间线结束之后的标记：%1</translation>
+    </message>
+    <message>
+        <source>markers outside of the frames of the sheet: %1</source>
+        <translation>图集帧范围之外的标记：%1</translation>
+    </message>
+    <message>
+        <source>a marker is an object with a %1 in quotes and a %2 in seconds</source>
+        <translation>标记是一个对象，含带引号的 %1 和以秒计的 %2</translation>
+    </message>
+    <message>
+        <source>%1 markers, at most %2 are possible</source>
+        <translation>%1 个标记，最多可有 %2 个</translation>
+    </message>
+    <message>
+        <source>the marker with the unknown member %1 is kept but has no effect</source>
+        <translation>含未知成员 %1 的标记会保留，但不起作用</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>%1 is no time</source>
+        <translation>%1 不是时间</translation>
+    </message>
+    <message>
+        <source>Write seconds, then the value, with commas between</source>
+        <translation>请写秒数，然后是值，用逗号分隔</translation>
+    </message>
+    <message>
+        <source>the name of a marker is not UTF-8</source>
+        <translation>标记名称不是 UTF-8</translation>
+    </message>
+    <message>
+        <source>a marker&apos;s name of %1 bytes</source>
+        <translation>%1 字节的标记名称</translation>
+    </message>
+    <message>
+        <source>the name of a marker is empty or has control characters: %1</source>
+        <translation>标记名称为空或含控制字符：%1</translation>
+    </message>
+    <message>
+        <source>Name it with letters, digits, spaces and signs</source>
+        <translation>请用字母、数字、空格和符号命名</translation>
+    </message>
+    <message>
+        <source>the time of a marker is no number</source>
+        <translation>标记的时间不是数字</translation>
+    </message>
+    <message>
+        <source>a marker lies at %1 s</source>
+        <translation>某个标记在 %1 秒处</translation>
+    </message>
+    <message>
+        <source>Markers lie from 0 to %1 s</source>
+        <translation>标记应在 0 到 %1 秒之间</translation>
+    </message>
+    <message>
+        <source>the marker at %1 s comes after one at %2 s</source>
+        <translation>%1 秒处的标记排在 %2 秒处的之后</translation>
+    </message>
+    <message>
+        <source>Markers stand in the order of their times</source>
+        <translation>标记按时间顺序排列</translation>
+    </message>
+    <message>
+        <source>invalid marker %1</source>
+        <translation>无效的标记 %1</translation>
+    </message>
+    <message>
+        <source>Write NAME=SECONDS, with ; between several times, or NAME= to take them out</source>
+        <translation>请写 名称=秒数，多个时间用 ; 分隔，或写 名称= 以去掉它们</translation>
     </message>
 </context>
 <context>
@@ -5175,6 +5580,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>picture</source>
         <translation>图片</translation>
     </message>
+    <message>
+        <source>Parent&apos;s life from</source>
+        <translation>父粒子生命起点</translation>
+    </message>
+    <message>
+        <source>Of a layer whose particles are born on those of another: the share of a parent&apos;s life from which on they are. 0.9: near its death, as the stars of a firework&apos;s shell.</source>
+        <translation>适用于粒子生于另一图层粒子上的图层：从父粒子生命的哪个比例起开始产生。0.9：临近其消亡，如烟花弹中的星火。</translation>
+    </message>
+    <message>
+        <source>Parent&apos;s life to</source>
+        <translation>父粒子生命终点</translation>
+    </message>
+    <message>
+        <source>Of a layer whose particles are born on those of another: the share of a parent&apos;s life up to which they are. 0.1: while it is young.</source>
+        <translation>适用于粒子生于另一图层粒子上的图层：到父粒子生命的哪个比例为止产生。0.1：仅在其年轻时。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>
@@ -6099,6 +6520,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Solo is of the view only: %1 layers are exported.</source>
         <translation>独显只影响视图：将导出 %1 个图层。</translation>
     </message>
+    <message>
+        <source>Mend key frames</source>
+        <translation>修正关键帧</translation>
+    </message>
+    <message>
+        <source>Moves key frames into the timeline, closes loops, and lets rates change smoothly: one undo step</source>
+        <translation>将关键帧移入时间线、闭合循环并使速率平滑变化：一步撤销</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineBar</name>
@@ -6166,6 +6595,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>What there is no room for</source>
         <translation>放不下的控件</translation>
     </message>
+    <message>
+        <source>Show the curves of key frames in a graph (Shift+G)</source>
+        <translation>在曲线图中显示关键帧曲线 (Shift+G)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineRuler</name>
@@ -6180,6 +6613,25 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>air %1 %</source>
         <translation>空气 %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
     </message>
 </context>
 <context>
@@ -6253,6 +6705,36 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Auto-key</source>
         <translation>自动关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ViewportInput</name>
+    <message>
+        <source>Move a key frame of the way</source>
+        <translation>移动路径上的关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::WindowTour</name>
+    <message>
+        <source>This is the smoke. Drag in it to look from another side, and turn the wheel to come nearer.</source>
+        <translation>这是烟雾。在其中拖动可换个方向看，转动滚轮可靠近。</translation>
+    </message>
+    <message>
+        <source>These are its parameters. Drag a number sideways, or click it and type: the smoke follows at once. F1 explains the one under the mouse.</source>
+        <translation>这些是它的参数。横向拖动数字，或单击后输入：烟雾立即跟随。F1 解释鼠标下的参数。</translation>
+    </message>
+    <message>
+        <source>This plays the smoke and holds it, as Space does. Drag in the timeline to go to another frame.</source>
+        <translation>这里播放和暂停烟雾，与空格键相同。在时间线中拖动可到其他帧。</translation>
+    </message>
+    <message>
+        <source>The diamond sets a key frame: change the number at another frame, and it changes over time.</source>
+        <translation>菱形设置关键帧：在另一帧更改数字，它就会随时间变化。</translation>
+    </message>
+    <message>
+        <source>This takes the smoke away: as a flipbook, an image sequence, a video or data for an engine. Help &gt; Tour shows all of this again.</source>
+        <translation>从这里带走烟雾：作为翻页图集、图像序列、视频或引擎数据。帮助 &gt; 导览会再次展示这些内容。</translation>
     </message>
 </context>
 <context>
