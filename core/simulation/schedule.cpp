@@ -266,4 +266,14 @@ Schedule makeSchedule(const SampledEffect& effect)
     return schedule;
 }
 
+std::vector<std::int64_t> birthsOfFrames(const Schedule& schedule, int frames)
+{
+    std::vector<std::int64_t> births;
+    for (int frame = 0; frame < frames; ++frame) {
+        const std::int64_t step = schedule.stepOfFrame(frame);
+        births.push_back(schedule.birthsBefore(step + 1) - schedule.birthsBefore(step + 1 - schedule.stepsPerFrame));
+    }
+    return births;
+}
+
 } // namespace fumage

@@ -110,4 +110,8 @@ private:
 /// @param effect in range
 [[nodiscard]] Schedule makeSchedule(const SampledEffect& effect);
 
+/// How many are born in the steps that lead to each frame. O(frames).
+/// @param frames of the timeline, from 0 on
+[[nodiscard]] std::vector<std::int64_t> birthsOfFrames(const Schedule& schedule, int frames);
+
 } // namespace fumage

@@ -266,6 +266,35 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), steps + 1);
     }
 
+    /// As many as the schedule says; a layer that emits all the time has none while it is alone.
+    void stripsShowWhenLayersEmit()
+    {
+        EmissionStrip& strip = m_bar->emission();
+        QVERIFY(strip.strips().empty() && !strip.isVisible());
+        setTracks({trackOf(kRate, {{0.0, 0.0F}, {1.0, 1.0F}})});
+        QCOMPARE(strip.strips().size(), std::size_t{1});
+        QVERIFY(strip.isVisible());
+        const std::vector<float>& shares = strip.strips().front().shares;
+        QCOMPARE(shares.size(), static_cast<std::size_t>(m_document->scene().timeline.length));
+        QVERIFY(shares.front() < 0.1F && shares[15] > 0.4F && shares[15] < 0.6F && shares[40] > 0.95F);
+        Scene scene = m_document->scene();
+        scene.layers.resize(3);
+        scene.layers[1].emitter.start = 1.0F;
+        scene.layers[1].emitter.length = 0.5F;
+        scene.layers[2].visible = false;
+        m_document->replaceScene(scene, 0, QStringLiteral("Add"));
+        QCOMPARE(strip.strips().size(), std::size_t{2});
+        const std::vector<float>& late = strip.strips()[1].shares;
+        for (int frame = 0; frame < 60; ++frame) {
+            const bool emits = frame > 31 && frame < 44;
+            const bool isNear = std::abs(frame - 31) <= 1 || std::abs(frame - 45) <= 1;
+            QVERIFY2(
+                isNear || (late[static_cast<std::size_t>(frame)] > 0.0F) == emits, qPrintable(QString::number(frame)));
+        }
+        QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(100, EmissionStrip::kStripHeight + 2));
+        QCOMPARE(m_document->layer(), std::size_t{1});
+    }
+
     void lanesTakeNoRoomWhereNothingChanges()
     {
         QVERIFY(!m_bar->findChild<QWidget*>(QStringLiteral("keyLanesView"))->isVisible());

@@ -43,6 +43,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     , m_controls(new QHBoxLayout)
     , m_ruler(new TimelineRuler(player, this))
     , m_markers(new MarkerLane(document, player, *m_ruler, this))
+    , m_emission(new EmissionStrip(document, *m_ruler, this))
     , m_keys(new KeySelection(document, this))
     , m_lanes(new KeyLanes(document, player, *m_ruler, *m_keys, this))
     , m_lanesView(new QScrollArea(this))
@@ -64,9 +65,11 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     layout->addLayout(m_controls);
     layout->addWidget(m_markers);
     layout->addWidget(m_ruler);
+    layout->addWidget(m_emission);
     addLanes(*layout);
     connectPlayer();
     connect(m_markers, &MarkerLane::heightChanged, this, [this] { updateGeometry(); });
+    connect(m_emission, &EmissionStrip::heightChanged, this, [this] { updateGeometry(); });
     connect(&document, &Document::effectChanged, this, &TimelineBar::followDocument);
     followDocument();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/timeline/emission_strip.h"
 #include "ui/timeline/key_graph.h"
 #include "ui/timeline/key_lanes.h"
 #include "ui/timeline/marker_lane.h"
@@ -34,6 +35,7 @@ public:
     [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
     [[nodiscard]] KeyLanes& lanes() const { return *m_lanes; }
     [[nodiscard]] MarkerLane& markers() const { return *m_markers; }
+    [[nodiscard]] EmissionStrip& emission() const { return *m_emission; }
     [[nodiscard]] KeyGraph& graph() const { return *m_graph; }
 
     /// Whether the graph is shown, as soon as something changes over time.
@@ -73,6 +75,7 @@ private:
     QHBoxLayout* m_controls;
     TimelineRuler* m_ruler;
     MarkerLane* m_markers;
+    EmissionStrip* m_emission;
     KeySelection* m_keys; ///< of lanes and graph
     KeyLanes* m_lanes;
     QScrollArea* m_lanesView; ///< shows a few of them, and scrolls
