@@ -74,7 +74,8 @@ std::size_t addMarker(std::vector<Marker>& markers, Marker marker)
 {
     const auto after = std::upper_bound(markers.begin(), markers.end(), marker.seconds,
         [](double seconds, const Marker& each) { return seconds < each.seconds; });
-    return static_cast<std::size_t>(markers.insert(after, std::move(marker)) - markers.begin());
+    const auto at = markers.insert(after, std::move(marker));
+    return static_cast<std::size_t>(at - markers.begin());
 }
 
 std::string markerNameOf(std::string_view text)

@@ -129,7 +129,7 @@ private slots:
     {
         Scene scene;
         scene.timeline = looping();
-        scene.tracks.set(trackOf({{0.0, 0.2F, Ease::Hold}, {3.0, 1.0F}}, kGusts));
+        scene.tracks.set(trackOf({{0.0, 0.2F, Ease::Hold}, {1.0, 0.6F}, {3.0, 1.0F}}, kGusts));
         std::string said;
         for (const Message& remark : remarksOn(scene, ExportPlan())) {
             said += remark.text() + "\n";
