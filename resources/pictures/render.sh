@@ -21,6 +21,8 @@ for preset in "$here"/../presets/*.json; do
     breath) frame=28 ;;
     missile) frame=62 ;;
     torch) frame=10 ;;
+    firework) frame=75 ;;
+    gusty-chimney) frame=120 ;;
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
 done
