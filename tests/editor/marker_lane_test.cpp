@@ -52,6 +52,7 @@ private slots:
         addMarkerHere(*m_document);
         m_player->setFrame(15);
         addMarkerHere(*m_document);
+        addMarkerHere(*m_document); // one is there
         QVERIFY((markers() == std::vector<Marker>{{"Marker 2", 0.5}, {"Marker 1", 1.0}}));
         QCOMPARE(m_document->undoStack()->count(), 2);
         QCOMPARE(m_document->undoStack()->undoText(), u"Add a marker"_q);

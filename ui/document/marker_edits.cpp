@@ -29,7 +29,9 @@ std::string newName(const std::vector<Marker>& markers)
 void addMarkerHere(Document& document)
 {
     std::vector<Marker> markers = document.scene().markers;
-    if (markers.size() < kMaxMarkers) {
+    const bool isNew =
+        std::ranges::none_of(markers, [&](const Marker& each) { return each.seconds == document.seconds(); });
+    if (isNew && markers.size() < kMaxMarkers) {
         addMarker(markers, {newName(markers), document.seconds()});
         replaceMarkers(document, markers, MarkerEdits::tr("Add a marker"));
     }

@@ -8,7 +8,8 @@ namespace fumage::ui {
 
 // What is done to markers: each is one undo step.
 
-/// Puts a marker at the time that is shown, with a name that none has yet. Nothing happens where there are kMaxMarkers.
+/// Puts a marker at the time that is shown, with a name that none has yet. Nothing happens where one is there, or where
+/// there are kMaxMarkers.
 void addMarkerHere(Document& document);
 /// Gives a marker another name, as markerNameOf() makes it; an empty one changes nothing.
 /// @param marker below their number
