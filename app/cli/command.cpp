@@ -88,8 +88,7 @@ Result<bool> animate(Scene& scene, std::string_view text)
     const Result<Track> track = parseKeyTable(*parameter, table.value(), scene.timeline.frameRate);
     if (!track) {
         Error error = track.error();
-        error.place =
-            error.place.empty() ? Message(printable(file)) : makeMessage("%1, %2", printable(file), error.place);
+        error.message = error.place.empty() ? error.message : makeMessage("%1: %2", error.place, error.message);
         return error;
     }
     std::string keys = std::string(key) + "=";

@@ -753,6 +753,17 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::EmissionStrip</name>
+    <message>
+        <source>Emission of the layers</source>
+        <translation>Lagrens emission</translation>
+    </message>
+    <message>
+        <source>Emission of %1</source>
+        <translation>Emission för %1</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::ExportCheck</name>
     <message>
         <source>%1 is missing</source>
@@ -6083,6 +6094,46 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>A torch that is swung, seamless: both layers follow the same key frames of the position.</source>
         <translation>En fackla som svingas, utan skarv: båda lagren följer samma nyckelbildrutor för läget.</translation>
+    </message>
+    <message>
+        <source>Candle</source>
+        <translation>Stearinljus</translation>
+    </message>
+    <message>
+        <source>A small flame that stands still, and leans when the air moves.</source>
+        <translation>En liten låga som står stilla och lutar när luften rör sig.</translation>
+    </message>
+    <message>
+        <source>Dry ice</source>
+        <translation>Torris</translation>
+    </message>
+    <message>
+        <source>Cold fog that is poured out: it falls, and runs out over the ground.</source>
+        <translation>Kall dimma som hälls ut: den faller och rinner ut över marken.</translation>
+    </message>
+    <message>
+        <source>Firework</source>
+        <translation>Fyrverkeri</translation>
+    </message>
+    <message>
+        <source>Shells that rise with a tail, and burst at their death into stars.</source>
+        <translation>Bomber som stiger med en svans och brister i stjärnor när de dör.</translation>
+    </message>
+    <message>
+        <source>Glitter</source>
+        <translation>Glitter</translation>
+    </message>
+    <message>
+        <source>Motes of light that drift apart, twinkle and go out.</source>
+        <translation>Ljuspunkter som driver isär, glimmar och slocknar.</translation>
+    </message>
+    <message>
+        <source>Gusty chimney</source>
+        <translation>Skorsten i byig vind</translation>
+    </message>
+    <message>
+        <source>Smoke in a wind that swells and turns, seamless: strength and angle have key frames that repeat.</source>
+        <translation>Rök i en vind som växer och vrider sig, sömlöst: styrka och vinkel har nyckelbildrutor som upprepas.</translation>
     </message>
 </context>
 <context>

@@ -753,6 +753,17 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::EmissionStrip</name>
+    <message>
+        <source>Emission of the layers</source>
+        <translation>图层的发射</translation>
+    </message>
+    <message>
+        <source>Emission of %1</source>
+        <translation>%1的发射</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::ExportCheck</name>
     <message>
         <source>%1 is missing</source>
@@ -6083,6 +6094,46 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>A torch that is swung, seamless: both layers follow the same key frames of the position.</source>
         <translation>挥舞的火炬，无缝循环：两个图层跟随相同的位置关键帧。</translation>
+    </message>
+    <message>
+        <source>Candle</source>
+        <translation>蜡烛</translation>
+    </message>
+    <message>
+        <source>A small flame that stands still, and leans when the air moves.</source>
+        <translation>静静燃烧的小火焰，空气流动时微微倾斜。</translation>
+    </message>
+    <message>
+        <source>Dry ice</source>
+        <translation>干冰</translation>
+    </message>
+    <message>
+        <source>Cold fog that is poured out: it falls, and runs out over the ground.</source>
+        <translation>倾泻而出的冷雾：落下并在地面铺开。</translation>
+    </message>
+    <message>
+        <source>Firework</source>
+        <translation>烟花</translation>
+    </message>
+    <message>
+        <source>Shells that rise with a tail, and burst at their death into stars.</source>
+        <translation>拖着尾迹升空的烟花弹，在消亡时爆成满天星火。</translation>
+    </message>
+    <message>
+        <source>Glitter</source>
+        <translation>闪光微粒</translation>
+    </message>
+    <message>
+        <source>Motes of light that drift apart, twinkle and go out.</source>
+        <translation>飘散开来、闪烁并熄灭的光点。</translation>
+    </message>
+    <message>
+        <source>Gusty chimney</source>
+        <translation>阵风中的烟囱</translation>
+    </message>
+    <message>
+        <source>Smoke in a wind that swells and turns, seamless: strength and angle have key frames that repeat.</source>
+        <translation>风力与风向变化中的烟，无缝循环：强度和角度有重复的关键帧。</translation>
     </message>
 </context>
 <context>

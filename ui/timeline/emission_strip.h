@@ -10,8 +10,8 @@ namespace fumage::ui {
 
 class TimelineRuler;
 
-/// When each visible layer gives birth, and how much: a strip a layer under the ruler and in line with it. A click edits
-/// a layer. It takes no room where one layer emits all the time.
+/// When each visible layer gives birth, and how much: a strip a layer under the ruler and in line with it. A click
+/// edits a layer. It takes no room where one layer emits all the time.
 class EmissionStrip : public QWidget {
     Q_OBJECT
 
