@@ -61,8 +61,8 @@ void addFault(KeyFault fault, std::string_view key, std::vector<Message>& remark
         remarks.push_back(makeMessage("%1 has key frames after the end of the timeline", key));
         break;
     case KeyFault::RateJumps:
-        remarks.push_back(makeMessage(
-            "%1 changes at once at a held key frame, so what it drives changes its pace with a jerk", key));
+        remarks.push_back(
+            makeMessage("%1 changes at once at a held key frame, so what it drives changes its pace with a jerk", key));
         break;
     }
 }

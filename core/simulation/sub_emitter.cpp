@@ -88,8 +88,7 @@ void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, c
     const Particles& now = parent.now;
     const float dt = child.schedule().dt;
     for (std::int64_t birth = first; birth < last; ++birth) {
-        const std::uint32_t key =
-            keyOf(emitter.seed, static_cast<std::uint64_t>(child.schedule().randomIndex(birth)));
+        const std::uint32_t key = keyOf(emitter.seed, static_cast<std::uint64_t>(child.schedule().randomIndex(birth)));
         const std::optional<std::size_t> slot = living.chosenBy(key);
         if (!slot) {
             continue;

@@ -69,13 +69,20 @@ private slots:
         for (int i = 0; i < 100'000; ++i) {
             many += QString::number(i) + QStringLiteral(",1\n");
         }
-        QTest::newRow("empty") << "" << "0 key frames";
-        QTest::newRow("a heading alone") << "seconds,value\n" << "0 key frames";
-        QTest::newRow("words") << "0,1\nsoon,1\n" << "line 2: \"soon\"";
-        QTest::newRow("no value") << "0,1\n1\n" << "line 2";
-        QTest::newRow("two values") << "0,1\n1,2,3\n" << "line 2";
-        QTest::newRow("NaN") << "0,nan\n" << "line 1";
-        QTest::newRow("NaN as time") << "nan,1\n" << "emitter.rate";
+        QTest::newRow("empty") << ""
+                               << "0 key frames";
+        QTest::newRow("a heading alone") << "seconds,value\n"
+                                         << "0 key frames";
+        QTest::newRow("words") << "0,1\nsoon,1\n"
+                               << "line 2: \"soon\"";
+        QTest::newRow("no value") << "0,1\n1\n"
+                                  << "line 2";
+        QTest::newRow("two values") << "0,1\n1,2,3\n"
+                                    << "line 2";
+        QTest::newRow("NaN") << "0,nan\n"
+                             << "line 1";
+        QTest::newRow("NaN as time") << "nan,1\n"
+                                     << "emitter.rate";
         QTest::newRow("too many") << many << "10001 key frames";
         QTest::newRow("binary") << QString(4000, QChar(1)) << "0 key frames";
     }
