@@ -96,7 +96,7 @@ QString parameterIn(const QString& name)
 {
     const QStringList parts = name.split(QLatin1Char('.'));
     for (qsizetype i = 0; i + 1 < parts.size(); ++i) {
-        const QString key = parts[i] + QLatin1Char('.') + parts[i + 1];
+        QString key = parts[i] + QLatin1Char('.') + parts[i + 1];
         if (findShownParameter(key.toStdString()) != nullptr) {
             return key;
         }
@@ -170,7 +170,7 @@ QString referenceAnchorAt(const QWidget* widget)
 {
     for (; widget != nullptr; widget = widget->parentWidget()) {
         const QString key = parameterIn(widget->objectName());
-        const QString anchor = key.isEmpty() ? groupIn(widget->objectName()) : key;
+        QString anchor = key.isEmpty() ? groupIn(widget->objectName()) : key;
         if (!anchor.isEmpty()) {
             return anchor;
         }
