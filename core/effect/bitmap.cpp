@@ -50,7 +50,8 @@ void findCover(std::span<const std::uint32_t> weights, int width, int height, st
             std::uint64_t sum = 0;
             for (int y = top; y < bottom; ++y) {
                 for (int x = left; x < right; ++x) {
-                    sum += weights[static_cast<std::size_t>(y * width + x)];
+                    sum += weights[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
+                        + static_cast<std::size_t>(x)];
                 }
             }
             means.push_back(static_cast<double>(sum) / ((right - left) * (bottom - top)));

@@ -97,7 +97,8 @@ SpritePicture::SpritePicture(const Bitmap& bitmap)
         if (x < 0 || y < 0 || x >= bitmap.width() || y >= bitmap.height()) {
             return; // transparent
         }
-        const Texel& from = light[static_cast<std::size_t>(y * bitmap.width() + x)];
+        const Texel& from =
+            light[static_cast<std::size_t>(y) * static_cast<std::size_t>(bitmap.width()) + static_cast<std::size_t>(x)];
         for (std::size_t i = 0; i < kChannels; ++i) {
             to[i] += share * from[i];
         }

@@ -100,7 +100,7 @@ Result<bool> animateScene(Scene& scene, std::string_view text)
     if (const Status status = keys.empty() ? Status(Done{}) : checkTrack(track); !status) {
         return status.error();
     }
-    scene.tracksOf(*track.parameter, part.value().layer).set(std::move(track));
+    scene.tracksOf(*parameter, part.value().layer).set(std::move(track));
     return clamped;
 }
 

@@ -75,3 +75,10 @@ keys s
 settle
 take editor_light
 close_editor
+
+open_editor 1 "$presets/lit-fire.json"
+pause
+keys Home ctrl+Right ctrl+Right ctrl+Right m shift+g
+settle
+take editor_keys
+close_editor

@@ -57,7 +57,7 @@ std::shared_ptr<SceneSimulator> Preparer::simulatorAtFrame(const Request& reques
 {
     Scene scene = *request.scene;
     scene.output.quality = std::min(scene.output.quality, Quality::Good); // as pictures that are played have it
-    const auto simulator =
+    auto simulator =
         std::make_shared<SceneSimulator>(sampledLayers(scene), Simulator::kDefaultCheckpointBytes, m_shelf);
     constexpr int kBehind = 2; // frames that whoever plays takes no notice of
     while (true) {

@@ -297,7 +297,7 @@ Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& opti
     const Result<float> voxel =
         options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, layers, options.longest, task);
     if (!voxel) {
-        return voxel;
+        return voxel.error();
     }
     const bool hasLayers = options.density == DensityGrids::Layers;
     const std::vector<std::string> names = hasLayers ? namesOfGrids(scene) : std::vector<std::string>();

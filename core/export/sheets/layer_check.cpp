@@ -96,7 +96,7 @@ void look(const Numbers& sheet, const SheetGrid& grid, LayerSheetScore& score)
         score.empty += inCell == 0 ? 1 : 0;
         seen += inCell;
     }
-    score.seen = static_cast<double>(seen) / static_cast<double>(sheet.pixels.size() / 4);
+    score.seen = 4.0 * static_cast<double>(seen) / static_cast<double>(sheet.pixels.size());
 }
 
 /// Adds a layer to a picture, or draws it over it.
