@@ -23,6 +23,7 @@ for preset in "$here"/../presets/*.json; do
     torch) frame=10 ;;
     firework) frame=75 ;;
     gusty-chimney) frame=120 ;;
+    rocket-launch) frame=100 ;;
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
 done

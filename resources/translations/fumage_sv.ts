@@ -6135,6 +6135,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Smoke in a wind that swells and turns, seamless: strength and angle have key frames that repeat.</source>
         <translation>Rök i en vind som växer och vrider sig, sömlöst: styrka och vinkel har nyckelbildrutor som upprepas.</translation>
     </message>
+    <message>
+        <source>Rocket launch</source>
+        <translation>Raketuppskjutning</translation>
+    </message>
+    <message>
+        <source>A rocket that lifts off: its jet, the smoke that it leaves, and the cloud that runs out over the ground.</source>
+        <translation>En raket som lyfter: dess stråle, röken som den lämnar och molnet som rinner ut över marken.</translation>
+    </message>
+    <message>
+        <source>Spell</source>
+        <translation>Trollformel</translation>
+    </message>
+    <message>
+        <source>The spiral of Magic, with glitter that is born on its smoke.</source>
+        <translation>Spiralen ur Magi, med glitter som föds på dess rök.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PreviewCanvas</name>

@@ -6135,6 +6135,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Smoke in a wind that swells and turns, seamless: strength and angle have key frames that repeat.</source>
         <translation>风力与风向变化中的烟，无缝循环：强度和角度有重复的关键帧。</translation>
     </message>
+    <message>
+        <source>Rocket launch</source>
+        <translation>火箭发射</translation>
+    </message>
+    <message>
+        <source>A rocket that lifts off: its jet, the smoke that it leaves, and the cloud that runs out over the ground.</source>
+        <translation>火箭升空：喷流、留下的烟，以及在地面铺开的烟云。</translation>
+    </message>
+    <message>
+        <source>Spell</source>
+        <translation>咒语</translation>
+    </message>
+    <message>
+        <source>The spiral of Magic, with glitter that is born on its smoke.</source>
+        <translation>“魔法”的螺旋，烟上生出闪光微粒。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PreviewCanvas</name>

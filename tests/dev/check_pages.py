@@ -19,7 +19,7 @@ import urllib.parse
 
 import check_readme
 
-LONGEST, ROW = 1400, 260  # lines of a page, columns of a row of a table
+LONGEST, ROW = 2000, 260  # lines of a page, columns of a row of a table
 STRIPS = 1500000  # bytes of all strips
 PICTURE = 128  # pixels an edge of what a strip shows
 SHOWS = 0.4  # of 255, as strips.json has it
