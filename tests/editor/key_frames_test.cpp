@@ -1,20 +1,17 @@
 // Key frames in the editor: diamonds, edits at the time that is shown, lanes under the ruler, each gesture one undo
 // step.
 
-#include "editor_helpers.h"
+#include "timeline_fixture.h"
 
-#include "ui/document/key_edits.h"
 #include "ui/document/locks.h"
 #include "ui/panels/key_mark.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/timeline/key_clipboard.h"
 #include "ui/timeline/key_mends.h"
-#include "ui/timeline/timeline_bar.h"
 
 #include "core/effect/known_parameter.h"
 
 #include <QClipboard>
-#include <QLayout>
 #include <QMenu>
 
 using namespace fumage;
@@ -48,26 +45,10 @@ std::vector<double> timesOf(const Document& document, const Parameter& parameter
 
 } // namespace
 
-class KeyFramesTest : public QObject {
+class KeyFramesTest : public TimelineFixture {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        m_document = std::make_unique<Document>();
-        m_player = std::make_unique<Player>();
-        m_bar = std::make_unique<TimelineBar>(*m_document, *m_player);
-        m_bar->resize(900, 160);
-        m_bar->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_bar.get()));
-    }
-    void cleanup()
-    {
-        m_bar.reset();
-        m_player.reset();
-        m_document.reset();
-    }
-
     void anEditOfWhatHasKeysSetsOneAtTheTimeThatIsShown()
     {
         const Scene before = m_document->scene();
@@ -304,12 +285,6 @@ private slots:
     }
 
 private:
-    void setTracks(const std::vector<Track>& tracks)
-    {
-        replaceTracks(*m_document, tracks, QStringLiteral("Set"));
-        m_bar->layout()->activate();
-        QCoreApplication::processEvents();
-    }
     void drag(const KeyPlace& key, int frames, Qt::KeyboardModifiers modifiers = {})
     {
         KeyLanes& lanes = m_bar->lanes();
@@ -318,10 +293,6 @@ private:
         dragMouse(
             lanes, from, from + QPoint(static_cast<int>(std::lround(frames * perFrame)), 0), Qt::LeftButton, modifiers);
     }
-
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<Player> m_player;
-    std::unique_ptr<TimelineBar> m_bar;
 };
 
 FUMAGE_TEST_MAIN(KeyFramesTest)

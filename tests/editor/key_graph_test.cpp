@@ -1,8 +1,7 @@
 // The graph of key frames: axes, keys and handles under the hand, each gesture one undo step.
 
-#include "editor_helpers.h"
+#include "timeline_fixture.h"
 
-#include "ui/document/key_edits.h"
 #include "ui/document/locks.h"
 #include "ui/document/number_text.h"
 #include "ui/document/solo.h"
@@ -12,13 +11,11 @@
 #include "ui/shell/play_actions.h"
 #include "ui/shell/settings.h"
 #include "ui/timeline/key_drag.h"
-#include "ui/timeline/timeline_bar.h"
 #include "ui/widgets/gesture.h"
 
 #include "core/effect/known_parameter.h"
 
 #include <QLabel>
-#include <QLayout>
 #include <QToolButton>
 
 #include <algorithm>
@@ -66,27 +63,10 @@ float largestDifference(const std::vector<float>& a, const std::vector<float>& b
 
 } // namespace
 
-class KeyGraphTest : public QObject {
+class KeyGraphTest : public TimelineFixture {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        m_document = std::make_unique<Document>();
-        m_player = std::make_unique<Player>();
-        m_bar = std::make_unique<TimelineBar>(*m_document, *m_player);
-        m_bar->setShowsGraph(true);
-        m_bar->resize(900, 400);
-        m_bar->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_bar.get()));
-    }
-    void cleanup()
-    {
-        m_bar.reset();
-        m_player.reset();
-        m_document.reset();
-    }
-
     void theGraphTakesNoRoomWhereNothingChanges()
     {
         QVERIFY(!graph().isVisible());
@@ -499,14 +479,15 @@ private slots:
         QVERIFY(shownRows(panel).size() > wanted.size());
     }
 
+protected:
+    void prepare(TimelineBar& bar) override
+    {
+        bar.setShowsGraph(true);
+        bar.resize(900, 400);
+    }
+
 private:
     [[nodiscard]] KeyGraph& graph() const { return m_bar->graph(); }
-    void setTracks(const std::vector<Track>& tracks)
-    {
-        replaceTracks(*m_document, tracks, QStringLiteral("Set"));
-        m_bar->layout()->activate();
-        QCoreApplication::processEvents();
-    }
     [[nodiscard]] int framesWide(int frames) const
     {
         return static_cast<int>(std::lround(frames * (m_bar->ruler().xOf(1.0) - m_bar->ruler().xOf(0.0))));
@@ -544,10 +525,6 @@ private:
         std::sort(shown.begin(), shown.end());
         return shown;
     }
-
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<Player> m_player;
-    std::unique_ptr<TimelineBar> m_bar;
 };
 
 FUMAGE_TEST_MAIN(KeyGraphTest)

@@ -1,13 +1,11 @@
 // Markers over the ruler: each gesture one undo step, names as they are, nothing where there is none.
 
-#include "editor_helpers.h"
+#include "timeline_fixture.h"
 
 #include "ui/shell/action_table.h"
 #include "ui/shell/play_actions.h"
-#include "ui/timeline/timeline_bar.h"
 #include "ui/widgets/gesture.h"
 
-#include <QLayout>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QToolTip>
@@ -15,26 +13,10 @@
 using namespace fumage;
 using namespace fumage::tests;
 
-class MarkerLaneTest : public QObject {
+class MarkerLaneTest : public TimelineFixture {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        m_document = std::make_unique<Document>();
-        m_player = std::make_unique<Player>();
-        m_bar = std::make_unique<TimelineBar>(*m_document, *m_player);
-        m_bar->resize(900, 160);
-        m_bar->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_bar.get()));
-    }
-    void cleanup()
-    {
-        m_bar.reset();
-        m_player.reset();
-        m_document.reset();
-    }
-
     void theyTakeNoRoomWhereThereIsNone()
     {
         QVERIFY(!lane().isVisible());
@@ -249,10 +231,6 @@ private:
         QTest::keyClick(editor(), end);
         QVERIFY(editor() == nullptr);
     }
-
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<Player> m_player;
-    std::unique_ptr<TimelineBar> m_bar;
 };
 
 FUMAGE_TEST_MAIN(MarkerLaneTest)

@@ -43,11 +43,6 @@ std::vector<Track> tracksWith(const Document& document, const std::vector<KeyPla
     return tracks;
 }
 
-bool holds(const std::vector<KeyPlace>& keys, const Track& track, const KeyFrame& key)
-{
-    return std::find(keys.begin(), keys.end(), KeyPlace{track.parameter, key.seconds}) != keys.end();
-}
-
 /// Changes how values go on from key frames, as one undo step.
 /// @param change is given each with its track
 template <class Change>
@@ -65,6 +60,11 @@ void changeKeys(Document& document, const std::vector<KeyPlace>& keys, const Cha
 }
 
 } // namespace
+
+bool holds(const std::vector<KeyPlace>& keys, const Track& track, const KeyFrame& key)
+{
+    return std::find(keys.begin(), keys.end(), KeyPlace{track.parameter, key.seconds}) != keys.end();
+}
 
 KeyState keyState(const Document& document, const Parameter& parameter)
 {

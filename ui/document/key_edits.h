@@ -36,6 +36,9 @@ struct KeyPlace {
     friend bool operator==(const KeyPlace&, const KeyPlace&) = default;
 };
 
+/// Whether a key frame of a track is one of several.
+[[nodiscard]] bool holds(const std::vector<KeyPlace>& keys, const Track& track, const KeyFrame& key);
+
 /// Sets other tracks in place of those of their parameters.
 /// @param text of the undo step
 void replaceTracks(Document& document, const std::vector<Track>& tracks, const QString& text, Gesture gesture = {});

@@ -32,20 +32,6 @@ double stretchOf(const std::vector<KeyPlace>& keys, double from, double to)
     return from > first ? std::max(0.0, (to - first) / (from - first)) : 1.0;
 }
 
-bool isIn(const std::vector<KeyPlace>& keys, const Track& track, const KeyFrame& key)
-{
-    return std::find(keys.begin(), keys.end(), KeyPlace{track.parameter, key.seconds}) != keys.end();
-}
-
-} // namespace
-
-std::size_t keyIndex(const Track& track, double seconds)
-{
-    const auto at =
-        std::find_if(track.keys.begin(), track.keys.end(), [&](const KeyFrame& key) { return key.seconds == seconds; });
-    return static_cast<std::size_t>(at - track.keys.begin());
-}
-
 std::vector<KeyPlace> keysAt(const std::vector<KeyPlace>& keys, const std::vector<double>& times)
 {
     std::vector<KeyPlace> moved;
@@ -76,15 +62,37 @@ std::vector<double> stretchedTimes(const std::vector<KeyPlace>& keys, double fro
     return times;
 }
 
+} // namespace
+
+std::size_t keyIndex(const Track& track, double seconds)
+{
+    const auto at =
+        std::find_if(track.keys.begin(), track.keys.end(), [&](const KeyFrame& key) { return key.seconds == seconds; });
+    return static_cast<std::size_t>(at - track.keys.begin());
+}
+
 void stretchSlopes(Track& track, const std::vector<KeyPlace>& keys, double from, double to)
 {
     const double factor = stretchOf(keys, from, to);
     for (KeyFrame& key : track.keys) {
-        if (key.ease == Ease::Free && factor > 0.0 && isIn(keys, track, key)) {
+        if (key.ease == Ease::Free && factor > 0.0 && holds(keys, track, key)) {
             key.slopeIn /= static_cast<float>(factor);
             key.slopeOut /= static_cast<float>(factor);
         }
     }
+}
+
+MovedKeys movedKeys(std::vector<Track> tracks, const std::vector<KeyPlace>& keys, const KeyMove& move, double frameRate)
+{
+    if (!move.stretches) {
+        const std::vector<double> times = movedTimes(keys, move.to - move.from, frameRate);
+        return {withMovedKeys(tracks, keys, times), keysAt(keys, times)};
+    }
+    for (Track& track : tracks) {
+        stretchSlopes(track, keys, move.from, move.to);
+    }
+    const std::vector<double> times = stretchedTimes(keys, move.from, move.to, frameRate);
+    return {withMovedKeys(tracks, keys, times), keysAt(keys, times)};
 }
 
 void raiseKeys(Track& track, const std::vector<KeyPlace>& keys, std::size_t component, double by)
@@ -94,7 +102,7 @@ void raiseKeys(Track& track, const std::vector<KeyPlace>& keys, std::size_t comp
         return;
     }
     for (KeyFrame& key : track.keys) {
-        if (isIn(keys, track, key)) {
+        if (holds(keys, track, key)) {
             key.value = withComponent(parameter, key.value, component, componentOf(key.value, component) + by);
         }
     }

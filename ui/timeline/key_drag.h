@@ -11,20 +11,27 @@ namespace fumage::ui {
 /// @return index of the key at a time; the number of keys: there is none
 [[nodiscard]] std::size_t keyIndex(const Track& track, double seconds);
 
-/// The same keys at other times.
-[[nodiscard]] std::vector<KeyPlace> keysAt(const std::vector<KeyPlace>& keys, const std::vector<double>& times);
+/// How far the hand has moved key frames in time.
+struct KeyMove {
+    double from = 0.0; ///< where it began, s
+    double to = 0.0; ///< where it is, s
+    bool stretches = false; ///< their distances from the first of them, in place of moving all alike
+};
 
-/// The times of keys that are moved together, s, on whole frames; none gets before 0. Moved by nothing, they stay
-/// between frames.
-[[nodiscard]] std::vector<double> movedTimes(const std::vector<KeyPlace>& keys, double way, double frameRate);
-
-/// The times of keys whose distances from the first are stretched, s, on whole frames.
-/// @param from where the hand began, s @param to where it is
-[[nodiscard]] std::vector<double> stretchedTimes(
-    const std::vector<KeyPlace>& keys, double from, double to, double frameRate);
+/// Tracks with key frames at other times, and where those are.
+struct MovedKeys {
+    std::vector<Track> tracks;
+    std::vector<KeyPlace> keys; ///< in the order in which they were given
+};
 
 /// Gives free keys that are stretched as much gentler slopes, or steeper ones, so that the curve keeps its form.
+/// @param from where the hand began, s @param to where it is
 void stretchSlopes(Track& track, const std::vector<KeyPlace>& keys, double from, double to);
+
+/// Moves key frames together to whole frames; none gets before 0. Moved by nothing, they stay between frames. Slopes
+/// are those of stretchSlopes().
+[[nodiscard]] MovedKeys movedKeys(
+    std::vector<Track> tracks, const std::vector<KeyPlace>& keys, const KeyMove& move, double frameRate);
 
 /// Key frames with other values, in the hard range of their parameter. Choices and switches keep theirs.
 /// @param component of the values that is changed; those that do not have it keep theirs

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fumage::ui {
 
@@ -102,17 +103,13 @@ void KeyGraph::dragKeys(Qt::KeyboardModifiers modifiers)
     const double from = frameSecondsAt(m_press.x());
     const double to = keepsToOne && !isAlong ? from : frameSecondsAt(m_at.x());
     const double by = stretches || (keepsToOne && isAlong) ? 0.0 : -way.y() * m_axis.perPixel();
-    const std::vector<double> times =
-        stretches ? stretchedTimes(m_dragged, from, to, frameRate()) : movedTimes(m_dragged, to - from, frameRate());
     std::vector<Track> tracks = m_base;
     for (Track& track : tracks) {
         raiseKeys(track, m_dragged, m_grip.component, by);
-        if (stretches) {
-            stretchSlopes(track, m_dragged, from, to);
-        }
     }
-    replaceTracks(m_document, withMovedKeys(tracks, m_dragged, times), tr("Move key frames"), m_gesture);
-    m_selection.select(keysAt(m_dragged, times));
+    const MovedKeys moved = movedKeys(std::move(tracks), m_dragged, {from, to, stretches}, frameRate());
+    replaceTracks(m_document, moved.tracks, tr("Move key frames"), m_gesture);
+    m_selection.select(moved.keys);
 }
 
 void KeyGraph::dragHandle(bool breaks)
@@ -256,13 +253,13 @@ void KeyGraph::nudge(int frames, int steps)
     }
     m_nudges.start();
     const std::vector<KeyPlace> keys = m_selection.keys();
-    const std::vector<double> times = movedTimes(keys, frames / frameRate(), frameRate());
     std::vector<Track> tracks = m_selection.tracks();
     for (Track& track : tracks) {
         raiseKeys(track, keys, m_component, steps * track.parameter->step);
     }
-    replaceTracks(m_document, withMovedKeys(tracks, keys, times), tr("Move key frames"), m_nudge);
-    m_selection.select(keysAt(keys, times));
+    const MovedKeys moved = movedKeys(std::move(tracks), keys, {0.0, frames / frameRate()}, frameRate());
+    replaceTracks(m_document, moved.tracks, tr("Move key frames"), m_nudge);
+    m_selection.select(moved.keys);
 }
 
 void KeyGraph::contextMenuEvent(QContextMenuEvent* event)

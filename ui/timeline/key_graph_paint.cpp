@@ -1,6 +1,7 @@
 #include "ui/timeline/key_graph.h"
 
 #include "ui/document/parameter_text.h"
+#include "ui/timeline/timeline_marks.h"
 #include "ui/timeline/timeline_ruler.h"
 #include "ui/widgets/diamond.h"
 
@@ -152,12 +153,9 @@ void KeyGraph::paintEvent(QPaintEvent*)
     }
     paintNames(painter);
     const double x = m_ruler.xOf(m_player.frame());
-    painter.setPen(QPen(palette().highlight().color(), 1.0));
-    painter.drawLine(QLineF(x, 0.0, x, height()));
+    paintPlayhead(painter, *this, x);
     if (m_drag == Drag::Box && m_hasMoved) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(palette().highlight().color(), 1.0, Qt::DashLine));
-        painter.drawRect(QRectF(m_press, m_at).normalized());
+        paintSelectionBox(painter, *this, QRectF(m_press, m_at).normalized());
     }
 }
 

@@ -5,6 +5,7 @@
 #include "ui/timeline/key_drag.h"
 #include "ui/timeline/key_mends.h"
 #include "ui/timeline/key_menu.h"
+#include "ui/timeline/timeline_marks.h"
 #include "ui/timeline/timeline_ruler.h"
 #include "ui/widgets/diamond.h"
 #include "ui/widgets/field_keys.h"
@@ -165,18 +166,10 @@ void KeyLanes::mouseMoveEvent(QMouseEvent* event)
 
 void KeyLanes::dragKeys(const QPointF& to, bool stretches)
 {
-    const double from = secondsAt(m_press.x());
-    const double now = secondsAt(to.x());
-    const std::vector<double> times =
-        stretches ? stretchedTimes(m_dragged, from, now, frameRate()) : movedTimes(m_dragged, now - from, frameRate());
-    std::vector<Track> tracks = m_base;
-    for (Track& track : tracks) {
-        if (stretches) {
-            stretchSlopes(track, m_dragged, from, now);
-        }
-    }
-    replaceTracks(m_document, withMovedKeys(tracks, m_dragged, times), tr("Move key frames"), m_gesture);
-    m_selection.select(keysAt(m_dragged, times));
+    const MovedKeys moved =
+        movedKeys(m_base, m_dragged, {secondsAt(m_press.x()), secondsAt(to.x()), stretches}, frameRate());
+    replaceTracks(m_document, moved.tracks, tr("Move key frames"), m_gesture);
+    m_selection.select(moved.keys);
 }
 
 void KeyLanes::mouseReleaseEvent(QMouseEvent* event)
@@ -285,13 +278,12 @@ void KeyLanes::paintLane(QPainter& painter, const Track& track, double top) cons
         painter.setPen(QPen(curve, 1.2));
         painter.drawPolyline(line);
     }
-    const QString faults = keyFaultsTold(track, m_document.scene().timeline);
+    const bool isWhole = keyFaults(track, m_document.scene().timeline).empty();
     QColor text = palette().text().color();
     text.setAlpha(170);
     painter.setPen(text);
     painter.drawText(QRectF(m_ruler.xOf(0.0) + 2.0 * kRadius, top, width(), kLaneHeight - 1.0),
-        Qt::AlignLeft | Qt::AlignVCenter,
-        (faults.isEmpty() ? QString() : QStringLiteral("⚠ ")) + fullLabelOf(parameter));
+        Qt::AlignLeft | Qt::AlignVCenter, (isWhole ? QString() : QStringLiteral("⚠ ")) + fullLabelOf(parameter));
     for (const KeyFrame& key : track.keys) {
         const bool chosen = m_selection.contains({&parameter, key.seconds});
         paintDiamond(painter, placeOf({&parameter, key.seconds}), kRadius,
@@ -307,12 +299,9 @@ void KeyLanes::paintEvent(QPaintEvent*)
         paintLane(painter, m_selection.tracks()[lane], static_cast<double>(lane) * kLaneHeight);
     }
     const double x = m_ruler.xOf(m_player.frame());
-    painter.setPen(QPen(palette().highlight().color(), 1.0));
-    painter.drawLine(QLineF(x, 0.0, x, height()));
+    paintPlayhead(painter, *this, x);
     if (m_drag == Drag::Box && m_hasMoved) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(palette().highlight().color(), 1.0, Qt::DashLine));
-        painter.drawRect(QRectF(m_press, m_at).normalized());
+        paintSelectionBox(painter, *this, QRectF(m_press, m_at).normalized());
     }
 }
 

@@ -1,5 +1,7 @@
 #include "ui/timeline/key_selection.h"
 
+#include "ui/timeline/key_drag.h"
+
 #include <algorithm>
 
 namespace fumage::ui {
@@ -23,9 +25,7 @@ const Track* KeySelection::track(const Parameter& parameter) const
 bool KeySelection::isThere(const KeyPlace& key) const
 {
     const Track* track = this->track(*key.parameter);
-    return track != nullptr && std::any_of(track->keys.begin(), track->keys.end(), [&](const KeyFrame& each) {
-        return each.seconds == key.seconds;
-    });
+    return track != nullptr && keyIndex(*track, key.seconds) < track->keys.size();
 }
 
 bool KeySelection::contains(const KeyPlace& key) const
