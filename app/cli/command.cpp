@@ -69,18 +69,18 @@ Status applyAll(const std::string& option, const std::vector<std::string>& texts
 /// animateScene(), where "key=@file.csv" stands for the key frames of a table.
 Result<bool> animate(Scene& scene, std::string_view text)
 {
-    const std::size_t at = text.find("=@");
+    const Result<LayerAssignment> part = layerAssignment(scene, text);
+    const std::size_t at = part ? part.value().assignment.find("=@") : std::string_view::npos;
     if (at == std::string_view::npos) {
         return animateScene(scene, text);
     }
-    const std::string_view key = trimmed(text.substr(0, at));
-    const std::string_view name = key.substr(key.rfind('/') + 1);
-    const Parameter* parameter = findParameter(name);
+    const std::string_view key = trimmed(part.value().assignment.substr(0, at));
+    const Parameter* parameter = findParameter(key);
     if (parameter == nullptr) {
-        return noParameter(name);
+        return noParameter(key);
     }
     constexpr std::size_t kMaxTableBytes = std::size_t{4} << 20U;
-    const std::string file(text.substr(at + 2));
+    const std::string file(part.value().assignment.substr(at + 2));
     const Result<std::string> table = readFile(pathFrom(file), kMaxTableBytes);
     if (!table) {
         return table.error();
@@ -91,12 +91,8 @@ Result<bool> animate(Scene& scene, std::string_view text)
         error.message = error.place.empty() ? error.message : makeMessage("%1: %2", error.place, error.message);
         return error;
     }
-    std::string keys = std::string(key) + "=";
-    for (const KeyFrame& each : track.value().keys) {
-        keys += formatDouble(each.seconds) + ":" + formatText(*parameter, each.value) + ";";
-    }
-    keys.pop_back();
-    return animateScene(scene, keys);
+    scene.tracksOf(*parameter, part.value().layer).set(track.value());
+    return false;
 }
 
 Result<NamedPreset> load(const std::string& preset, const EffectOptions& options)

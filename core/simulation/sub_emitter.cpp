@@ -145,10 +145,13 @@ Status SubEmitter::find(const SimulationModel& child, std::int64_t step, std::in
         return status;
     }
     const Schedule& schedule = parent.schedule();
-    std::optional<SampledEffect> room;
+    const SampledEffect& effect = child.effect();
+    std::optional<SampledEffect> room; // key frames of other kinds are not read at births
+    const SampledEffect& now =
+        effect.isAnimated(Animates::Birth) ? child.effectAt(static_cast<double>(step), room) : effect;
     findBirthsOn({parent, m_now, m_before.x, m_before.y, m_before.z, parentStep, schedule.firstAlive(parentStep),
                      schedule.birthsBefore(parentStep + 1)},
-        child, child.effectAt(static_cast<double>(step), room)->emitter, first, last, out, m_ofAge);
+        child, now->emitter, first, last, out, m_ofAge);
     return Done{};
 }
 
