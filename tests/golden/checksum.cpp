@@ -5,6 +5,7 @@
 #include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
+#include <fstream>
 #include <span>
 
 namespace fumage::tests {
@@ -39,6 +40,16 @@ std::string goldenLine(const std::string& id, const Image& image)
 {
     constexpr std::size_t kDigits = 24;
     return id + " " + sha256Of(std::as_bytes(std::span(image.pixels))).substr(0, kDigits);
+}
+
+std::map<std::string, std::string> goldenLines(const std::string& path)
+{
+    std::map<std::string, std::string> lines;
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        lines.emplace(line.substr(0, line.find(' ')), line);
+    }
+    return lines;
 }
 
 } // namespace fumage::tests

@@ -3,6 +3,7 @@
 #include "core/rendering/image.h"
 #include "core/scene/scene.h"
 
+#include <map>
 #include <string>
 
 namespace fumage::tests {
@@ -21,5 +22,8 @@ inline constexpr int kGoldenFrame = 45;
 
 /// "id checksum", of the picture's floats.
 [[nodiscard]] std::string goldenLine(const std::string& id, const Image& image);
+
+/// The lines of such a file by the ids of their presets; none where it cannot be read.
+[[nodiscard]] std::map<std::string, std::string> goldenLines(const std::string& path);
 
 } // namespace fumage::tests
