@@ -24,6 +24,12 @@ double turnedBy(const Track& turntable, int number, int frameRate)
     return sum / frameRate;
 }
 
+/// Whether a parameter is summed up over each particle's life when it is drawn.
+bool isOwnRate(const Parameter& row)
+{
+    return row.animates == Animates::Rate && row.scope == Scope::Layer && row.dirties == DirtyStage::Shade;
+}
+
 } // namespace
 
 double secondsOfFrame(const Timeline& timeline, int number)
@@ -60,7 +66,7 @@ SampledEffect SampledEffect::atFrame(int number) const
     if (m_tracks) {
         readFrame(*m_tracks, number, out.m_effect);
         out.scaleLook(changes(kSize) ? m_sizeFactor : 1.0F, changes(kOpacity) ? m_opacityFactor : 1.0F);
-        out.m_tracks = nullptr;
+        out.m_tracks = m_ownRates;
     }
     return out;
 }
@@ -72,7 +78,7 @@ SampledEffect SampledEffect::atTime(double seconds) const
         for (const Animates when : {Animates::Step, Animates::Birth, Animates::Rate}) {
             m_tracks->read(when, seconds, out.m_effect);
         }
-        out.m_tracks = nullptr;
+        out.m_tracks = out.m_ownRates = nullptr;
     }
     return out;
 }
@@ -80,7 +86,7 @@ SampledEffect SampledEffect::atTime(double seconds) const
 SampledEffect SampledEffect::strongest() const
 {
     SampledEffect out = *this;
-    out.m_tracks = nullptr;
+    out.m_tracks = out.m_ownRates = nullptr;
     for (const Track& track : m_tracks ? m_tracks->all() : std::span<const Track>()) {
         if (track.parameter->kind == Kind::Float) {
             const auto size = [](const KeyFrame& key) { return std::abs(std::get<float>(key.value)); };
@@ -97,15 +103,22 @@ SampledEffect sampled(const Effect& effect, const Tracks& tracks)
     SampledEffect out(effect);
     Effect& own = out.m_effect;
     Tracks changing;
+    Tracks ownRates;
     for (const Track& track : tracks.all()) {
         if (track.isConstant()) {
             track.parameter->set(own, track.keys.front().value);
-        } else {
-            changing.set(track);
+            continue;
+        }
+        changing.set(track);
+        if (isOwnRate(*track.parameter)) {
+            ownRates.set(track);
         }
     }
     if (!changing.empty()) {
         out.m_tracks = std::make_shared<const Tracks>(std::move(changing));
+    }
+    if (!ownRates.empty()) {
+        out.m_ownRates = std::make_shared<const Tracks>(std::move(ownRates));
     }
     own.output.quality = Quality::Good;
     if (effect.output.quality == Quality::Good) {

@@ -41,8 +41,9 @@ public:
         return m_tracks ? m_tracks->all() : std::span<const Track>();
     }
 
-    /// The effect as a frame is drawn: parameters that are read once a frame have their values, the turntable has
-    /// turned, and nothing of it changes over time any more.
+    /// The effect as a frame is drawn: parameters that are read once a frame have their values, and the turntable has
+    /// turned. Of what changes over time it has only what is a rate of each particle's own, as its spin: that is summed
+    /// up over the particle's life.
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are alike
     [[nodiscard]] SampledEffect atFrame(int number) const;
     /// The effect as particles move and are born: all parameters that are read at a step, at a birth, or as a rate,
@@ -82,6 +83,7 @@ private:
 
     Effect m_effect;
     std::shared_ptr<const Tracks> m_tracks;
+    std::shared_ptr<const Tracks> m_ownRates; ///< those of m_tracks that are rates of each particle's own; null: none
     float m_sizeFactor = 1.0F; ///< what the quality has made of sizes, and of opacities
     float m_opacityFactor = 1.0F;
     std::shared_ptr<const SampledEffect> m_parent;

@@ -2,6 +2,9 @@
 
 #include "core/base/aligned_array.h"
 #include "core/flow/grid.h"
+#include "core/flow/solid.h"
+
+#include <vector>
 
 namespace fumage {
 
@@ -16,6 +19,13 @@ struct AirVectors {
         x.assign(size, 0.0F);
         y.assign(size, 0.0F);
         z.assign(size, 0.0F);
+    }
+    /// Keeps its room.
+    void clear()
+    {
+        x.clear();
+        y.clear();
+        z.clear();
     }
 };
 
@@ -44,11 +54,12 @@ struct CurlPlane {
 /// The curl of three planes, k - 1 to k + 1; beyond the first and the last plane of the box, that of those.
 using CurlAround = std::array<const CurlPlane*, 3>;
 
-/// What lives from one step to the next: quads of all cells, with their ghosts.
+/// What lives from one step to the next: quads of all cells, with their ghosts, and what stands in them.
 struct AirState {
     AirColumn air; ///< velocity in the middle of each cell, and heat
     AirColumn carrier; ///< means of the velocities through the faces of each cell, which carry the air in the next
                        ///< step; fourth number unused
+    std::vector<Solid> solids;
 
     [[nodiscard]] std::size_t bytes() const { return (air.size() + carrier.size()) * sizeof(float); }
 };
@@ -98,6 +109,13 @@ struct AirCells {
     };
     std::vector<Halo> skin;
     [[nodiscard]] bool hasObstacles() const { return !fluid.empty(); }
+
+    // Empty where there is no obstacle that moves.
+    AirVectors wall; ///< velocity of the obstacle on each lower face that it closes, along the face's axis, m/s; else 0
+    glm::vec3 wallVelocity{0.0F}; ///< of its centre, m/s
+    [[nodiscard]] bool hasMovingWalls() const { return !wall.x.empty(); }
+
+    AirColumn fluidBefore; ///< room to compare in
 };
 
 } // namespace fumage

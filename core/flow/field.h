@@ -2,8 +2,10 @@
 
 #include "core/base/aligned_array.h"
 #include "core/flow/grid.h"
+#include "core/flow/solid.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -31,6 +33,7 @@ struct AirField {
     std::size_t row = 0; ///< halves from a node to the one above
     std::size_t plane = 0;
     float share = 1.0F; ///< of a step, for which it carries
+    std::optional<Solid> obstacle; ///< as AirStep has it
     std::vector<AirField> earlier; ///< what carries before it, where the step has parts
     AlignedArray<std::uint16_t> quads; ///< bits of (u, v, w, heat) of each node, x fastest; padded to whole vectors
 

@@ -84,6 +84,36 @@ HWY_INLINE V afterDrag(D d, const AirCells& cells, const AirStep& step, bool onG
     return 1.0F / (1.0F + walls * (step.friction * step.dt / cells.grid.cell) * hn::Sqrt(dot(v, v)));
 }
 
+/// Velocity that obstacles which move have where a cell touches them, as a share of all walls that it touches, m/s.
+HWY_INLINE Vec3<V> velocityOfWalls(D d, const AirCells& cells, bool onGround, std::size_t at)
+{
+    const V touching = hn::Load(d, cells.touching.data() + at);
+    const V walls = touching + hn::Set(d, onGround ? 1.0F : 0.0F);
+    return broadcast(d, cells.wallVelocity) * (touching / hn::Max(walls, hn::Set(d, 1.0F)));
+}
+
+/// The air's velocity after the drag of walls, which is against what they have themselves.
+HWY_INLINE Vec3<V> slowed(
+    D d, const AirCells& cells, const AirStep& step, bool onGround, const Vec3<V>& v, std::size_t at)
+{
+    if (!cells.hasMovingWalls()) {
+        return v * afterDrag(d, cells, step, onGround, v, at);
+    }
+    const Vec3<V> walls = velocityOfWalls(d, cells, onGround, at);
+    const Vec3<V> against = v - walls;
+    return against * afterDrag(d, cells, step, onGround, against, at) + walls;
+}
+
+/// Velocity of an obstacle that moves in a cell of it, m/s; 0 in air.
+HWY_INLINE Vec3<V> velocityInWall(D d, const AirCells& cells, std::size_t at)
+{
+    const V inside = 0.5F * (1.0F - hn::Load(d, cells.fluid.data() + at));
+    const auto along = [&](const AirColumn& faces, std::size_t stride) HWY_ATTR {
+        return inside * (hn::Load(d, faces.data() + at) + hn::LoadU(d, faces.data() + at + stride));
+    };
+    return {along(cells.wall.x, 1), along(cells.wall.y, cells.column.row), along(cells.wall.z, cells.column.plane)};
+}
+
 /// What a swirl adds to the air's velocity: a share of what this lacks along the tangent, and what holds air of that
 /// speed on its circle.
 HWY_INLINE Vec3<V> swirled(D d, const AirVortex& swirl, float dt, const Vec3<V>& away, const Vec3<V>& v)
@@ -182,13 +212,18 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
                 v = v + stirred(d, step.forcing, place, heat) * step.dt;
             }
             if (step.friction > 0.0F && (onGround || cells.hasObstacles())) {
-                v = v * afterDrag(d, cells, step, onGround, v, at);
+                v = slowed(d, cells, step, onGround, v, at);
             }
             if (cells.hasObstacles()) {
                 v = v * hn::Load(d, cells.fluid.data() + at);
             }
+            V kept = heat * step.heatKept;
+            if (cells.hasMovingWalls()) {
+                v = v + velocityInWall(d, cells, at);
+                kept = kept * hn::Load(d, cells.fluid.data() + at); // or it would come out again behind
+            }
             store(boundedSpeed(d, v), cells.forced.x, cells.forced.y, cells.forced.z, at);
-            hn::Store(heat * step.heatKept, d, cells.heat.data() + at);
+            hn::Store(kept, d, cells.heat.data() + at);
         }
         if (confines) {
             sums.add(n);

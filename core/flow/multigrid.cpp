@@ -166,17 +166,28 @@ Multigrid::Multigrid(const glm::ivec3& cells, const AirBoundaries& boundaries, c
                 linkAxis(m_levels[l - 1].axis[a], level.axis[a], boundaries.low[a], boundaries.high[a]);
             }
         }
-        if (!open.x.empty()) {
-            level.open.resize(level.layout.size);
-            if (l == 0) {
-                level.open = open;
-            } else {
-                coarsenFaces(m_levels[l - 1], level, &AirVectors::x, 0);
-                coarsenFaces(m_levels[l - 1], level, &AirVectors::y, 1);
-                coarsenFaces(m_levels[l - 1], level, &AirVectors::z, 2);
-            }
-            invertWeights(level);
+    }
+    setFaces(open);
+}
+
+void Multigrid::setFaces(const AirVectors& open)
+{
+    for (std::size_t l = 0; l < m_levels.size(); ++l) {
+        MultigridLevel& level = m_levels[l];
+        if (open.x.empty()) {
+            level.open.clear();
+            level.inverse.clear();
+            continue;
         }
+        if (l == 0) {
+            level.open = open;
+        } else {
+            level.open.resize(level.layout.size);
+            coarsenFaces(m_levels[l - 1], level, &AirVectors::x, 0);
+            coarsenFaces(m_levels[l - 1], level, &AirVectors::y, 1);
+            coarsenFaces(m_levels[l - 1], level, &AirVectors::z, 2);
+        }
+        invertWeights(level);
     }
 }
 

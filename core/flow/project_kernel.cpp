@@ -22,6 +22,7 @@ struct Faces {
     const float* velocity;
     const float* pressure; ///< null: before
     const float* open; ///< null: no obstacles
+    const float* wall; ///< velocity of those faces that obstacles close; null: no obstacle moves
     std::size_t stride;
 
     template <class D>
@@ -31,26 +32,31 @@ struct Faces {
         if (pressure != nullptr) {
             through = through - (hn::LoadU(d, pressure + cell) - hn::LoadU(d, pressure + cell - stride));
         }
-        return open == nullptr ? through : through * hn::LoadU(d, open + cell);
+        if (open != nullptr) {
+            through = through * hn::LoadU(d, open + cell);
+        }
+        return wall == nullptr ? through : through + hn::LoadU(d, wall + cell);
     }
 };
 
 /// The three kinds of faces of a cell.
 struct AllFaces {
     AllFaces(const AirCells& cells, bool after)
-        : x(facesOf(cells, cells.forced.x, cells.open.x, 1, after))
-        , y(facesOf(cells, cells.forced.y, cells.open.y, cells.column.row, after))
-        , z(facesOf(cells, cells.forced.z, cells.open.z, cells.column.plane, after))
+        : x(facesOf(cells, &AirVectors::x, 1, after))
+        , y(facesOf(cells, &AirVectors::y, cells.column.row, after))
+        , z(facesOf(cells, &AirVectors::z, cells.column.plane, after))
     {
     }
 
     Faces x, y, z;
 
 private:
-    static Faces facesOf(
-        const AirCells& cells, const AirColumn& velocity, const AirColumn& open, std::size_t stride, bool after)
+    static Faces facesOf(const AirCells& cells, AirColumn AirVectors::*axis, std::size_t stride, bool after)
     {
-        return {velocity.data(), after ? cells.pressure.data() : nullptr, open.empty() ? nullptr : open.data(), stride};
+        const AirColumn& open = cells.open.*axis;
+        const AirColumn& wall = cells.wall.*axis;
+        return {(cells.forced.*axis).data(), after ? cells.pressure.data() : nullptr,
+            open.empty() ? nullptr : open.data(), wall.empty() ? nullptr : wall.data(), stride};
     }
 };
 

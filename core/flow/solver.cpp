@@ -18,8 +18,8 @@ namespace {
 AirCells cellsWith(const AirGrid& grid, const AirBoundaries& boundaries, std::span<const Solid> solids)
 {
     AirCells cells(grid, boundaries);
-    [[maybe_unused]] const bool anyAir = placeSolids(cells, solids);
-    assert(anyAir);
+    [[maybe_unused]] const SolidsPlaced placed = placeSolids(cells, solids);
+    assert(placed != SolidsPlaced::Nowhere);
     return cells;
 }
 
@@ -76,6 +76,7 @@ CurlAround AirSolver::CurlPlanes::around(const AirCells& cells, int k, bool isFi
 AirSolver::AirSolver(
     const AirGrid& grid, const AirBoundaries& boundaries, std::span<const Solid> solids, const glm::vec3& wind)
     : m_cells(cellsWith(grid, boundaries, solids))
+    , m_solids(solids.begin(), solids.end())
     , m_multigrid(grid.cells, boundaries, m_cells.open)
     , m_heat(grid.cells.z)
     , m_confinement(grid.cells.z)
@@ -90,6 +91,7 @@ void AirSolver::step(const AirStep& step)
     for (const AirStep& part : step.earlier) {
         this->step(part);
     }
+    moveObstacle(step);
     for (int piece = 0; piece < step.pieces; ++piece) {
         stepPiece(step);
     }
@@ -105,13 +107,38 @@ void AirSolver::step(const AirStep& step, AirField& field)
         }
         this->step(step.earlier[i], part);
     }
+    moveObstacle(step);
     for (int piece = 0; piece < step.pieces; ++piece) {
         stepPiece(step);
     }
     field.grid = grid();
     field.wind = step.wind;
     field.share = step.share;
+    field.obstacle = step.obstacle;
     read(field);
+}
+
+bool AirSolver::place(std::span<const Solid> solids)
+{
+    const SolidsPlaced placed = placeSolids(m_cells, solids);
+    if (placed == SolidsPlaced::Elsewhere) {
+        m_multigrid.setFaces(m_cells.open);
+    }
+    if (placed != SolidsPlaced::Nowhere) {
+        m_solids.assign(solids.begin(), solids.end());
+    }
+    return placed != SolidsPlaced::Nowhere;
+}
+
+void AirSolver::moveObstacle(const AirStep& step)
+{
+    if (!step.obstacle) {
+        return;
+    }
+    const std::span<const Solid> now(&*step.obstacle, 1);
+    if (!std::equal(now.begin(), now.end(), m_solids.begin(), m_solids.end()) && place(now)) {
+        fillHalos(m_cells);
+    }
 }
 
 void AirSolver::stepPiece(const AirStep& step)
@@ -214,10 +241,11 @@ bool AirSolver::move(const glm::ivec3& by, const glm::vec3& corner, const AirBou
     const glm::vec3 before = cells.grid.corner;
     const bool hadObstacles = cells.hasObstacles();
     cells.grid.corner = corner;
-    if (!solids.empty() && !placeSolids(cells, solids)) {
+    if (!solids.empty() && placeSolids(cells, solids) == SolidsPlaced::Nowhere) {
         cells.grid.corner = before;
         return false;
     }
+    m_solids.assign(solids.begin(), solids.end());
     if (hadObstacles || cells.hasObstacles() || boundaries != cells.boundaries) {
         m_multigrid = Multigrid(cells.grid.cells, boundaries, cells.open);
     }
@@ -274,6 +302,9 @@ void AirSolver::restore(const AirState& state)
 {
     m_cells.air = state.air;
     m_cells.carrier = state.carrier;
+    if (state.solids != m_solids) {
+        place(state.solids);
+    }
 }
 
 void AirSolver::read(AirField& field) const
@@ -295,16 +326,19 @@ glm::vec4 AirSolver::at(const glm::ivec3& cell) const
 float AirSolver::divergenceAt(const glm::ivec3& cell) const
 {
     const std::size_t at = m_cells.column.at(cell.x, cell.y, cell.z);
-    const auto outOf = [&](const AirColumn& velocity, const AirColumn& open, std::size_t stride) {
+    const auto outOf = [&](AirColumn AirVectors::*axis, std::size_t stride) {
+        const AirColumn& velocity = m_cells.forced.*axis;
+        const AirColumn& open = m_cells.open.*axis;
+        const AirColumn& wall = m_cells.wall.*axis;
         const auto through = [&](std::size_t face) {
             const float mean = 0.5F * (velocity[face] + velocity[face - stride])
                 - (m_cells.pressure[face] - m_cells.pressure[face - stride]);
-            return open.empty() ? mean : mean * open[face];
+            return (open.empty() ? mean : mean * open[face]) + (wall.empty() ? 0.0F : wall[face]);
         };
         return through(at + stride) - through(at);
     };
-    return (outOf(m_cells.forced.x, m_cells.open.x, 1) + outOf(m_cells.forced.y, m_cells.open.y, m_cells.column.row)
-               + outOf(m_cells.forced.z, m_cells.open.z, m_cells.column.plane))
+    return (outOf(&AirVectors::x, 1) + outOf(&AirVectors::y, m_cells.column.row)
+               + outOf(&AirVectors::z, m_cells.column.plane))
         / m_cells.grid.cell;
 }
 

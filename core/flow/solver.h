@@ -39,6 +39,10 @@ namespace fumage {
 /// A step allocates nothing; it is the same to the bit for any number of threads, and on every instruction set.
 /// Sources: Stam 1999; Selle et al. 2008 (advection); Almgren, Bell, Szymczak 1996 (projection); Fedkiw et al. 2001
 /// (forces).
+///
+/// A wall that moves has its own velocity on the faces that it closes, so that it pushes the air before it and draws it
+/// along behind; friction acts on what the air has against it. Cells that it leaves have the velocity that it gave
+/// them. Source: Bridson, "Fluid Simulation for Computer Graphics", 2015, of solids that are voxels.
 class AirSolver {
 public:
     /// The air at rest, or moving with a wind.
@@ -72,7 +76,7 @@ public:
     void read(AirField& field) const;
 
     /// The state as a step takes it up again.
-    [[nodiscard]] AirState state() const { return {m_cells.air, m_cells.carrier}; }
+    [[nodiscard]] AirState state() const { return {m_cells.air, m_cells.carrier, m_solids}; }
     void restore(const AirState& state);
 
     [[nodiscard]] const AirGrid& grid() const { return m_cells.grid; }
@@ -89,6 +93,11 @@ public:
 private:
     /// Moves the air on by a piece of a step.
     void stepPiece(const AirStep& step);
+    /// Puts solids where they are now.
+    /// @return false: no air would be left, and nothing has changed
+    bool place(std::span<const Solid> solids);
+    /// Puts the obstacle of a step where it is at its end, if it is not there: the air moves around it from then on.
+    void moveObstacle(const AirStep& step);
     /// Takes back what the confinement has given beyond its budget.
     void limitConfinement(const AirStep& step);
     /// Everything after the forces: reads and changes forced.
@@ -106,6 +115,7 @@ private:
     };
 
     AirCells m_cells;
+    std::vector<Solid> m_solids;
     PerThread<CurlPlanes> m_curl;
     Multigrid m_multigrid;
     HeatBudget m_heat;

@@ -2,10 +2,12 @@
 
 #include "core/base/vector.h"
 #include "core/effect/effect.h"
+#include "core/flow/solid.h"
 #include "core/noise/curl_slices.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -89,6 +91,9 @@ struct AirStep {
     AirVortex vortex;
     std::vector<AirFeed> others; ///< further emitters: where sources overlap, the hottest counts, and expansions add
     TurbulenceForcing forcing;
+    /// What stands in the air at its end, in place of all solids that were there, and moves as it has in it; none: they
+    /// stay as they are
+    std::optional<Solid> obstacle;
 
     /// Whether a source gives anything off.
     [[nodiscard]] bool acts() const

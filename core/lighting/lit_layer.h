@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/effect/tracks.h"
 #include "core/lighting/detail_field.h"
 #include "core/lighting/particle_appearance.h"
 #include "core/simulation/frame.h"
@@ -14,6 +15,7 @@ struct LitLayer {
     const Effect* effect = nullptr; ///< its look; its simulation part is that of the frame
     const Appearance* appearance = nullptr; ///< of the frame
     const DetailField* detail = nullptr; ///< null: it has none that its air carries
+    const Tracks* rates = nullptr; ///< rates of each particle's own that change over time; null: none
 };
 
 /// All layers of a picture. Their effects have the same light, camera and air.

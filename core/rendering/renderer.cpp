@@ -122,7 +122,7 @@ Status Renderer::findSmoke(LayerFrames layers, const glm::vec3& eye)
         if (Status status = checkBounds(own.appearance); !status) {
             return status;
         }
-        m_lit.push_back({layers[i].frame, &effect, &own.appearance, detail(i)});
+        m_lit.push_back({layers[i].frame, &effect, &own.appearance, detail(i), layers[i].effect->tracks().get()});
     }
     lightSmoke(m_lit, eye, m_lightWorkspace, m_light);
     findBodies();

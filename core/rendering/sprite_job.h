@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace fumage {
 
@@ -30,6 +31,11 @@ struct SpriteJob {
     float spinVariance = 0.0F;
     float roll = 0.0F; ///< share of the particle's own turn
     float textureSlicesPerSecond = 0.0F;
+    // Of what changes over time: what it has added up to since particles of each whole age in steps were born, see
+    // sumOverAges(); empty: it does not change.
+    std::vector<float> spun; ///< radians
+    std::vector<float> spunVariance; ///< radians
+    std::vector<float> boiled; ///< depths of the noise
     float erosion = 0.0F;
     /// What makes a sprite cover as much at each level of its texture, the last that of plain sprites, as it does at
     /// the finest; by erosion.

@@ -45,14 +45,42 @@ HWY_INLINE SineCosine<V> sinCosOfTurns(D d, V angle)
     return sinCos(d, angle - turns * kTau);
 }
 
+/// How old particles are.
+template <class V>
+struct SpriteAge {
+    V steps;
+    V seconds;
+};
+
+/// What a rate has added up to over the life of particles.
+/// @param sums of whole ages, see sumOverAges(); empty: the rate is constant
+/// @param rate a second, where it is
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE V summedUp(D d, const std::vector<float>& sums, float rate, const SpriteAge<V>& age)
+{
+    if (sums.empty()) {
+        return age.seconds * rate;
+    }
+    const hn::RebindToSigned<D> di;
+    // Places where nobody lives have any age.
+    const V last = hn::Set(d, static_cast<float>(sums.size() - 2));
+    const V whole = hn::Min(hn::Max(hn::Floor(age.steps), hn::Zero(d)), last);
+    const auto index = hn::ConvertTo(di, whole);
+    const V before = hn::GatherIndex(d, sums.data(), index);
+    const V after = hn::GatherIndex(d, sums.data() + 1, index);
+    return (age.steps - whole) * (after - before) + before;
+}
+
 /// Angle of particles about the line of sight; y runs down on the screen.
 template <class D, class VU, class V = hn::VFromD<D>>
-HWY_INLINE V angleOf(D d, const SpriteJob& job, std::size_t at, VU key, V age)
+HWY_INLINE V angleOf(D d, const SpriteJob& job, std::size_t at, VU key, const SpriteAge<V>& age)
 {
     const Particles& particles = *job.particles;
     const V turned = signedStream(d, key, kRotationStream) * job.rotationVariance;
-    const V spun = signedStream(d, key, kSpinStream) * job.spinVariance + job.spin;
-    const V angle = spun * age + turned;
+    const V own = signedStream(d, key, kSpinStream);
+    const V angle = job.spun.empty() && job.spunVariance.empty()
+        ? (own * job.spinVariance + job.spin) * age.seconds + turned
+        : own * summedUp(d, job.spunVariance, job.spinVariance, age) + summedUp(d, job.spun, job.spin, age) + turned;
     if (!particles.rolls()) {
         return angle;
     }
@@ -61,10 +89,11 @@ HWY_INLINE V angleOf(D d, const SpriteJob& job, std::size_t at, VU key, V age)
 
 /// The slice of the noise that particles show now, between 0 and the number of slices.
 template <class D, class VU, class V = hn::VFromD<D>>
-HWY_INLINE V sliceOf(D d, const SpriteJob& job, VU key, V age)
+HWY_INLINE V sliceOf(D d, const SpriteJob& job, VU key, const SpriteAge<V>& age)
 {
     const auto slices = static_cast<float>(job.texture->slices());
-    const V moved = age * (job.textureSlicesPerSecond / slices) + unitStream(d, key, kSliceStream);
+    const V moved =
+        summedUp(d, job.boiled, job.textureSlicesPerSecond / slices, age) + unitStream(d, key, kSliceStream);
     return (moved - hn::Floor(moved)) * slices;
 }
 
@@ -124,13 +153,14 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
         hn::Store(hn::Load(d, job.appearance->radius.data() + at) * perMetre, d, block.radius + i);
 
         const auto key = hn::Load(du, particles.key.data() + at);
-        const V age = agesInSteps(d, particles, at, key, job.step, job.bornBetweenSteps) * job.dt;
+        const V steps = agesInSteps(d, particles, at, key, job.step, job.bornBetweenSteps);
+        const SpriteAge<V> age{steps, steps * job.dt};
         const SineCosine<V> turn = sinCosOfTurns(d, angleOf(d, job, at, key, age));
         hn::Store(turn.sine, d, block.sine + i);
         hn::Store(turn.cosine, d, block.cosine + i);
         hn::Store(sliceOf(d, job, key, age), d, block.slice + i);
         if (job.colours.glows) {
-            findGlow(d, job.colours, particles, at, key, age, i, block.lit);
+            findGlow(d, job.colours, particles, at, key, age.seconds, i, block.lit);
         }
         if (job.stretch > 0.0F) {
             const Vec3<V> velocity = load(d, particles.vx, particles.vy, particles.vz, at);

@@ -2,6 +2,7 @@
 
 #include "core/base/math.h"
 #include "core/base/parallel.h"
+#include "core/effect/known_parameter.h"
 #include "core/lighting/sprite_mask.h"
 #include "core/rendering/sprite_detail.h"
 #include "core/rendering/sprite_kernel.h"
@@ -73,6 +74,23 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     return job;
 }
 
+/// Sums up what changes over time and is a rate of each particle's own.
+void sumRates(const LitLayer& layer, SpriteJob& job)
+{
+    const Effect& effect = *layer.effect;
+    const Frame& frame = *layer.frame;
+    const auto sum = [&](const Parameter& row, float factor, std::vector<float>& out) {
+        if (const Track* track = layer.rates->find(row)) {
+            sumOverAges(*track, frame.model->schedule(), effect.timeline, frame.step, factor, out);
+        }
+    };
+    if (layer.rates != nullptr) {
+        sum(knownParameter("look.spin"), radians(1.0F), job.spun);
+        sum(knownParameter("look.spin_variance"), radians(1.0F), job.spunVariance);
+        sum(knownParameter("look.texture_rate"), 1.0F / effect.noise.depth, job.boiled);
+    }
+}
+
 } // namespace
 
 void makeSprites(const LitLayer& layer, const LightGrid& light, const SpriteSurface& surface,
@@ -83,6 +101,7 @@ void makeSprites(const LitLayer& layer, const LightGrid& light, const SpriteSurf
     const Frame& frame = *layer.frame;
     const DetailField* detail = layer.detail;
     SpriteJob job = makeJob(frame, effect, texture.slices(), view);
+    sumRates(layer, job);
     job.particles = &frame.particles;
     job.deforms = frame.particles.deforms();
     job.appearance = layer.appearance;

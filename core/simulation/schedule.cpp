@@ -145,15 +145,32 @@ double RateSum::at(double step) const
     return m_before[before] + (step - whole) * (m_before[before + 1] - m_before[before]);
 }
 
-RowPosition RateSum::row(double step, const Schedule& schedule) const
+RowPosition RateSum::row(double step, const Schedule& schedule, double factor) const
 {
     if (schedule.loopSteps == 0) {
-        return rowAt(at(step), 0);
+        return rowAt(at(step) * factor, 0);
     }
-    const double total = m_before.back();
+    const double total = m_before.back() * factor;
     const std::int64_t cells = std::max<std::int64_t>(1, std::llround(total));
     const double within = std::fmod(step, static_cast<double>(schedule.loopSteps));
-    return rowAt(total > 0.0 ? at(within) / total * static_cast<double>(cells) : 0.0, cells);
+    return rowAt(total > 0.0 ? at(within) * factor / total * static_cast<double>(cells) : 0.0, cells);
+}
+
+void sumOverAges(const Track& track, const Schedule& schedule, const Timeline& timeline, std::int64_t step,
+    float factor, std::vector<float>& out)
+{
+    // Born between two steps, it has lived for a part of one when it first appears.
+    const std::int64_t oldest = std::max<std::int64_t>(0, std::min(schedule.lifetimeSteps, step)) + 1;
+    const double each = static_cast<double>(schedule.dt) * static_cast<double>(factor);
+    out.clear();
+    out.reserve(static_cast<std::size_t>(oldest) + 1);
+    double sum = 0.0;
+    for (std::int64_t age = 0; age <= oldest; ++age) {
+        out.push_back(static_cast<float>(sum));
+        const double middle = static_cast<double>(step - age) - 0.5;
+        const double seconds = std::max(0.0, secondsOfStep(schedule, timeline, middle));
+        sum += each * static_cast<double>(std::get<float>(track.at(seconds)));
+    }
 }
 
 namespace {

@@ -100,12 +100,23 @@ public:
     /// @param step 0 or more; parts of steps too
     [[nodiscard]] double at(double step) const;
     /// Where a step lies in a row of random values, as of the other rowPosition().
-    [[nodiscard]] RowPosition row(double step, const Schedule& schedule) const;
+    /// @param factor that the rate is multiplied by
+    [[nodiscard]] RowPosition row(double step, const Schedule& schedule, double factor = 1.0) const;
+    /// The phase at the end of the steps that were summed up: in a loop, of all of it.
+    [[nodiscard]] double all() const { return m_before.back(); }
 
 private:
     std::vector<double> m_before; ///< the phase at each step
     double m_perStep = 0.0; ///< beyond them
 };
+
+/// What a rate that changes over time has added up to, at a step, since particles of each age were born.
+/// @param step of the schedule, 0 or more
+/// @param factor that the rate is multiplied by
+/// @param out gets one number for each whole age in steps, from 0 to one beyond the oldest particle that may live; goes
+/// evenly from one to the next. O(steps of a life).
+void sumOverAges(const Track& track, const Schedule& schedule, const Timeline& timeline, std::int64_t step,
+    float factor, std::vector<float>& out);
 
 /// @param effect in range
 [[nodiscard]] Schedule makeSchedule(const SampledEffect& effect);

@@ -88,8 +88,9 @@ Status scoreSixWay(const Scene& scene, const FlipbookOptions& options, const Pas
         for (std::size_t direction = 0; direction < kDirections; ++direction) {
             std::vector<SampledEffect> layers;
             for (const SampledEffect& layer : smoke.layers()) {
-                layers.push_back(
-                    sampled(litFrom(layer.atFrame(frame.value().layers.front()->number), view, directions[direction])));
+                const SampledEffect now = layer.atFrame(frame.value().layers.front()->number);
+                layers.push_back(sampled(
+                    litFrom(now, view, directions[direction]), now.tracks() != nullptr ? *now.tracks() : Tracks()));
             }
             if (Status status =
                     renderer.render(LayersAtFrame(frame.value(), layers), cell.width, cell.height, truth, stop);
