@@ -28,6 +28,7 @@ void blend(const AirField& late, const AirField& early, float share, AirField& o
 {
     out.wind = late.wind + share * (early.wind - late.wind);
     out.share = late.share;
+    out.obstacle = late.obstacle; // steps a turn apart have the same
     blendFields(late, early, share, out);
     assert(late.earlier.size() == early.earlier.size());
     out.earlier.assign(late.earlier.size(), AirField(late.grid));

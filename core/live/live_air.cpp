@@ -86,6 +86,36 @@ void LiveAir::follow(const glm::vec3& emitter)
     }
 }
 
+void LiveAir::moveObstacle()
+{
+    if (!m_step.obstacle || m_solids.empty()) {
+        return;
+    }
+    const Solid before = m_solids.front();
+    const Solid after = *m_step.obstacle;
+    const float farthest = std::max({after.size.x, after.size.y, after.size.z});
+    if (before.centre != after.centre || before.size != after.size) {
+        const bool goes = glm::distance(before.centre, after.centre) <= farthest;
+        Solid from = before;
+        float share = 0.0F;
+        const auto move = [&](AirStep& part, bool isLast) {
+            share += part.share;
+            Solid to = after;
+            if (!isLast) {
+                to.centre = glm::mix(before.centre, after.centre, share);
+                to.size = glm::mix(before.size, after.size, share);
+            }
+            part.obstacle = goes ? movedBetween(from, to, part.dt * static_cast<float>(part.pieces)) : after;
+            from = to;
+        };
+        for (AirStep& part : m_step.earlier) {
+            move(part, false);
+        }
+        move(m_step, true);
+    }
+    m_solids.front() = *m_step.obstacle;
+}
+
 void LiveAir::step(std::span<const AirFeeder> feeders, std::int64_t number)
 {
     number = std::max<std::int64_t>(1, number);
@@ -98,6 +128,7 @@ void LiveAir::step(std::span<const AirFeeder> feeders, std::int64_t number)
     // Since the effect before, too.
     AirStep& first = m_step.earlier.empty() ? m_step : m_step.earlier.front();
     first.windChange = (first.wind - m_field.wind) / static_cast<float>(first.pieces);
+    moveObstacle();
     m_solver.step(m_step, m_field);
 }
 

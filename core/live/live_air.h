@@ -17,7 +17,7 @@ struct AirPlan;
 /// Its box goes with the emitter, of several layers with that of the first that feeds it (see findFeedingLayers()), by
 /// whole cells: air that stays in it stays where it is in the world, what comes in is the wind, and what is left behind
 /// is forgotten. So an emitter that moves less than a cell has the air of one that stands still, to the bit. Ground and
-/// obstacle stay in the world; the box never goes under the ground, stands on it where it comes down to it, and leaves
+/// obstacle stay in the world, and where the obstacle is set elsewhere it moves there and pushes the air; the box never goes under the ground, stands on it where it comes down to it, and leaves
 /// it with an emitter that rises. A wind that is set moves all of the air at once, as gusts do.
 class LiveAir {
 public:
@@ -43,13 +43,16 @@ public:
 private:
     LiveAir(const Effect& leader, const AirPlan& plan);
 
+    /// Finds how the obstacle comes from where it was to where it is at the end of the step. Farther than it is large
+    /// nothing is pushed in a step: it is there at once.
+    void moveObstacle();
     /// Takes the box along where the emitter is no longer where it was in it.
     void follow(const glm::vec3& emitter);
 
     AirSolver m_solver;
     AirField m_field;
     AirStep m_step; ///< the last one, whose memory the next one has
-    std::vector<Solid> m_solids;
+    std::vector<Solid> m_solids; ///< as they are at the end of the last step
     AirBoundaries m_borders; ///< of the box as it stands now
     glm::vec3 m_home; ///< corner of the box at the start, m
     glm::vec3 m_emitter; ///< its place then, m

@@ -53,6 +53,9 @@ void LiveLayer::setEffect(const SampledEffect& effect, std::int64_t next, std::u
     const LayerClock clock{start, windSeed};
     SimulationModel model = grid != nullptr ? SimulationModel(effect, clock, *grid) : SimulationModel(effect, clock);
     model.placeEmitter(m_pose.position, m_pose.normal);
+    if (hasBegun) {
+        model.continueFrom(*m_model, m_frame.step);
+    }
     if (m_parent != nullptr) {
         model.setParent(m_parent->m_model);
     }

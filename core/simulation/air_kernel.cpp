@@ -66,6 +66,19 @@ HWY_INLINE Vec3<V> afterTouch(D d, const AirConstants& air, const Vec3<V>& veloc
     return chosen(isTouched, along * (1.0F - air.friction) - outward * (into * air.restitution), velocity);
 }
 
+/// The same of the obstacle, against which what is not carried has the velocity that it has less the obstacle's own.
+/// The air about it has that already.
+/// @param place on its surface
+HWY_INLINE Vec3<V> afterTouchOfObstacle(
+    D d, const AirConstants& air, const Vec3<V>& place, const Vec3<V>& velocity, const Vec3<V>& outward)
+{
+    if (!air.obstacleMoves || air.coupling == Coupling::Carried) {
+        return afterTouch(d, air, velocity, outward);
+    }
+    const Vec3<V> wall = (place - air.obstaclePosition) * air.obstacleGrowth + air.obstacleVelocity;
+    return afterTouch(d, air, velocity - wall, outward) + wall;
+}
+
 /// Puts places that lie inside a ball onto it, and takes what is left of the velocity into it.
 HWY_INLINE void keepOutOfBall(D d, const AirConstants& air, Vec3<V>& place, Vec3<V>& velocity)
 {
@@ -87,7 +100,7 @@ HWY_INLINE void keepOutOfBall(D d, const AirConstants& air, Vec3<V>& place, Vec3
         pushed = chosen(buried, beside, pushed);
     }
     place = chosen(inside, pushed, place);
-    velocity = chosen(inside, afterTouch(d, air, velocity, outward), velocity);
+    velocity = chosen(inside, afterTouchOfObstacle(d, air, place, velocity, outward), velocity);
 }
 
 /// The same for a box: out through its nearest face, and not through one that lies under the ground.
@@ -119,7 +132,8 @@ HWY_INLINE void keepOutOfBox(D d, const AirConstants& air, Vec3<V>& place, Vec3<
     const V one = hn::Set(d, 1.0F);
     const Vec3<V> outward{hn::IfThenElseZero(throughX, hn::CopySign(one, away.x)), hn::IfThenElseZero(throughY, up),
         hn::IfThenElseZero(throughZ, hn::CopySign(one, away.z))};
-    velocity = chosen(hn::Gt(dot(outward, outward), zero3), afterTouch(d, air, velocity, outward), velocity);
+    velocity = chosen(
+        hn::Gt(dot(outward, outward), zero3), afterTouchOfObstacle(d, air, place, velocity, outward), velocity);
 }
 
 /// Keeps places out of obstacle and ground. Smoke slides along: what velocity it has into it goes. What is not carried

@@ -151,13 +151,24 @@ bool standsOnGround(const Air& air, const AirGrid& grid)
     return air.ground && std::abs(grid.corner.y - air.groundHeight) < 0.01F * grid.cell;
 }
 
-std::vector<Solid> solidsOf(const Air& air)
+/// Whether what stands in the air leaves any of it.
+bool leavesAir(const Air& air, const AirGrid& grid)
 {
-    if (air.obstacle == Obstacle::None) {
-        return {};
+    const std::optional<Solid> obstacle = obstacleOf(air);
+    return !obstacle
+        || anyCell(grid.cells, [&](const glm::ivec3& cell) { return !obstacle->contains(grid.centre(cell)); });
+}
+
+/// The same at all times.
+bool alwaysLeavesAir(const SampledEffect& effect, const AirGrid& grid)
+{
+    if (!effect.changes(knownParameter("air.obstacle_position"))
+        && !effect.changes(knownParameter("air.obstacle_size"))) {
+        return leavesAir(effect->air, grid);
     }
-    return {{air.obstacle == Obstacle::Sphere ? SolidShape::Sphere : SolidShape::Box, air.obstaclePosition,
-        air.obstacleSize}};
+    const std::vector<double> times = timesOf(effect);
+    return std::all_of(
+        times.begin(), times.end(), [&](double seconds) { return leavesAir(effect.atTime(seconds)->air, grid); });
 }
 
 /// Most cells that may have to be stepped before a first picture: about five minutes of one processor. The longest loop
@@ -282,9 +293,7 @@ Status checkAir(SampledLayers layers)
                 std::string("timeline.prewarm"),
                 makeMessage("Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution")};
     }
-    const std::vector<Solid> solids = solidsOf(effect->air);
-    if (solids.empty()
-        || anyCell(grid.cells, [&](const glm::ivec3& cell) { return !solids.front().contains(grid.centre(cell)); })) {
+    if (alwaysLeavesAir(effect, grid)) {
         return Done{};
     }
     return Error{ErrorCode::OutOfRange, makeMessage("the obstacle fills the box of the air"),
@@ -315,13 +324,16 @@ AirPlan airPlan(SampledLayers layers)
     AirPlan plan;
     plan.grid = airGrid(layers);
     plan.boundaries.low[1] = standsOnGround(air, plan.grid) ? Boundary::Solid : Boundary::Open;
-    plan.solids = solidsOf(air);
     plan.firstStep = firstAirStep(layers);
     plan.loopSteps = models.front().schedule().loopSteps;
     plan.parts = usualParts(feedersAt(models, 1));
     const auto start = static_cast<double>(-models.front().clock().stepsBehind);
     std::optional<SampledEffect> room;
-    plan.wind = windSpeed(models.front().windAt(start), models.front().effectAt(start, room)->air);
+    const Air& atStart = models.front().effectAt(start, room)->air;
+    plan.wind = windSpeed(models.front().windAt(start), atStart);
+    if (const std::optional<Solid> obstacle = obstacleOf(atStart)) {
+        plan.solids = {*obstacle};
+    }
     plan.stepTo = [models = std::move(models), grid = plan.grid](
                       std::int64_t number) { return airStep(feedersAt(models, number), grid); };
     return plan;

@@ -14,6 +14,20 @@ Particles::Columns columnsOf(const SimulationModel& model)
     return {.rolls = rolls, .inAir = model.inAir(), .deforms = model.inAir() && deforms};
 }
 
+namespace {
+
+/// An obstacle as the air that flows around it has it, which knows how it moves.
+void placeObstacle(const Solid& obstacle, AirConstants& air)
+{
+    air.obstaclePosition = obstacle.centre;
+    air.obstacleHalf = 0.5F * obstacle.size;
+    air.obstacleMoves = obstacle.moves();
+    air.obstacleVelocity = obstacle.velocity;
+    air.obstacleGrowth = obstacle.growth;
+}
+
+} // namespace
+
 void findParts(const SimulationModel& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out)
 {
     out.clear();
@@ -27,6 +41,9 @@ void findParts(const SimulationModel& model, std::int64_t step, const AirField* 
         rest -= field.share;
         part.rest = rest;
         part.air.field = &field;
+        if (field.obstacle) {
+            placeObstacle(*field.obstacle, part.air);
+        }
     };
     for (const AirField& field : air->earlier) {
         add(field);

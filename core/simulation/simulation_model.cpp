@@ -48,6 +48,12 @@ float firstAmplitude(const Turbulence& turbulence)
     return turbulence.strength / std::sqrt(kComponents * squares);
 }
 
+/// How much faster swirls change that are of another size.
+float fasterIn(float scale, float wanted)
+{
+    return portablePow(scale / wanted, kTurnoverExponent);
+}
+
 /// What is left of turbulence below a grid: it begins where the grid ends, goes on changing as fast as its sizes do,
 /// and takes its strength from the air.
 Turbulence belowTheGrid(const Turbulence& whole, float cell, float detail)
@@ -55,7 +61,7 @@ Turbulence belowTheGrid(const Turbulence& whole, float cell, float detail)
     Turbulence part = whole;
     part.scale = 2.0F * cell;
     part.strength = detail > 0.0F ? 1.0F : 0.0F;
-    part.evolution = whole.evolution * portablePow(whole.scale / part.scale, kTurnoverExponent);
+    part.evolution = whole.evolution * fasterIn(whole.scale, part.scale);
     part.onset = 0.0F;
     part.growth = 0.0F;
     return part;
@@ -108,6 +114,7 @@ SimulationModel::SimulationModel(const SampledEffect& effect, const LayerClock& 
     : m_effect(effect)
     , m_clock(clock)
     , m_schedule(makeSchedule(m_effect))
+    , m_pace{m_effect->turbulence.drift, m_effect->turbulence.evolution}
     , m_air(std::move(air))
     , m_changes(
           effect.isAnimated(Animates::Step) || effect.isAnimated(Animates::Birth) || effect.isAnimated(Animates::Rate))
@@ -127,6 +134,7 @@ SimulationModel::SimulationModel(const SampledEffect& effect, const LayerClock& 
     : m_effect(effect)
     , m_clock(clock)
     , m_schedule(makeSchedule(m_effect))
+    , m_pace{m_effect->turbulence.drift, m_effect->turbulence.evolution}
     , m_grid(grid)
 {
 }
@@ -166,46 +174,39 @@ float SimulationModel::rotationAt(std::int64_t step) const
     return radians(motion.rotation + motion.rotationJitter * drawScale() * signedFloat(bits)) * m_schedule.dt;
 }
 
-OctaveAtStep SimulationModel::octaveAt(const Turbulence& turbulence, std::int64_t step, int octave) const
+OctaveAtStep SimulationModel::octaveAt(
+    const Turbulence& turbulence, float faster, std::int64_t step, int octave) const
 {
     const auto order = static_cast<float>(octave);
     OctaveAtStep out;
     out.frequency = portablePow(turbulence.lacunarity, order);
     const float amplitude = firstAmplitude(turbulence) * portablePow(turbulence.roughness, order) * kCurlNormalisation;
     const std::uint32_t seed = streamBits(m_effect->emitter.seed, kTurbulence + static_cast<std::uint32_t>(octave));
-    const float latticePerMetre = out.frequency / turbulence.scale;
     constexpr int kLarge = 2; // smaller swirls shear a particle rather than turn it
     out.turns = octave < kLarge;
-    const double cellsPerStep =
-        static_cast<double>(turbulence.evolution * portablePow(out.frequency, kTurnoverExponent) * m_schedule.dt);
-    const RowPosition row = rowPosition(static_cast<double>(step), m_schedule, cellsPerStep);
-
-    // In a loop the smoke drifts by whole units of the lattice, or the slice that lives through its end would jump.
-    // Whole numbers are multiplied before they are divided, so that a quotient is exact where it is whole.
-    const double driftPerStep = static_cast<double>(turbulence.drift) * static_cast<double>(latticePerMetre)
-        * static_cast<double>(m_schedule.dt);
-    const auto loop = static_cast<double>(m_schedule.loopSteps);
-    const double driftInLoop = std::round(driftPerStep * loop);
-    const auto now = static_cast<double>(m_schedule.randomStep(step));
-    const double drifted = row.cells == 0 ? driftPerStep * now : driftInLoop * now / loop;
-    const double whole = std::floor(drifted);
+    const float turnover = portablePow(out.frequency, kTurnoverExponent);
+    const double cellsPerStep = static_cast<double>(turbulence.evolution * turnover * m_schedule.dt);
+    const RowPosition row = evolvedTo(step, cellsPerStep, static_cast<double>(faster) * static_cast<double>(turnover));
+    const Drift drift = driftedTo(turbulence.drift, step, static_cast<double>(out.frequency / turbulence.scale));
+    const double whole = std::floor(drift.now);
     // Random, or a corner of every octave's lattice would stand in the emitter's centre, where all gradients are 0: as
     // one body it would move.
     out.shift = randomInUnitCube(seed, 1);
-    out.shift.y += static_cast<float>(whole - drifted);
+    out.shift.y += static_cast<float>(whole - drift.now);
 
-    const bool evolves = turbulence.evolution > 0.0F || (row.cells != 0 && turbulence.drift != 0.0F);
-    if (!evolves) {
+    if (!evolves()) {
         out.slices.key[0] = streamBits(seed, 0);
         out.slices.weight[0] = amplitude;
         out.slices.shift[0] = latticeShift(static_cast<std::int64_t>(whole));
         return out;
     }
-    // Counted from where a slice begins, and on through the end of a loop.
+    // Counted from where a slice begins, and on through the end of a loop. It may be counted from anywhere that is the
+    // same at all steps: where rates change, from where it would begin if they had stayed as they are without.
     const auto shiftOf = [&](std::int64_t slice) {
         const auto cell = static_cast<double>(slice);
-        const double before =
-            row.cells == 0 ? driftPerStep / cellsPerStep * cell : driftInLoop * cell / static_cast<double>(row.cells);
+        const double before = row.cells != 0 ? drift.inLoop * cell / static_cast<double>(row.cells)
+            : cellsPerStep > 0.0             ? drift.perStep / cellsPerStep * cell
+                                             : 0.0;
         return latticeShift(static_cast<std::int64_t>(whole - std::floor(before)));
     };
     const float blend = 0.5F * kPi * smoothStep(row.fraction);
@@ -303,14 +304,20 @@ StepConstants SimulationModel::constants(std::int64_t step, float share) const
 
 void SimulationModel::placeTurbulence(const Effect& now, std::int64_t step, StepConstants& out) const
 {
-    const Turbulence turbulence =
-        m_grid ? belowTheGrid(now.turbulence, m_grid->cell, now.turbulence.detail) : now.turbulence;
+    Turbulence turbulence = now.turbulence;
+    turbulence.drift = m_pace.drift;
+    turbulence.evolution = m_pace.evolution;
+    float faster = 1.0F;
+    if (m_grid) {
+        turbulence = belowTheGrid(turbulence, m_grid->cell, now.turbulence.detail);
+        faster = fasterIn(now.turbulence.scale, turbulence.scale);
+    }
     out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;
     out.turbulenceFrequency = 1.0F / turbulence.scale;
     out.onset = turbulence.onset;
     out.growth = turbulence.growth;
     for (int octave = 0; octave < out.octaves; ++octave) {
-        out.octave[static_cast<std::size_t>(octave)] = octaveAt(turbulence, step, octave);
+        out.octave[static_cast<std::size_t>(octave)] = octaveAt(turbulence, faster, step, octave);
     }
 }
 

@@ -41,6 +41,9 @@ struct AirConstants {
     Obstacle obstacle = Obstacle::None;
     glm::vec3 obstaclePosition{0.0F};
     glm::vec3 obstacleHalf{0.0F}; ///< half its edges, or its radius in x
+    bool obstacleMoves = false;
+    glm::vec3 obstacleVelocity{0.0F}; ///< of its centre, m/s
+    glm::vec3 obstacleGrowth{0.0F}; ///< see Solid
     float shapeLost = 0.0F; ///< how much of a particle's deformation goes in a step
     Coupling coupling = Coupling::Carried;
     bool bornOnParent = false; ///< and not in a source of the air
@@ -134,6 +137,10 @@ public:
     /// The effect with each number that changes over time at its greatest: what is as often as it is in the effect may
     /// not be more often at one time than at another.
     [[nodiscard]] const SampledEffect& strongest() const { return m_strongest ? *m_strongest : m_effect; }
+    /// Whether a value jumps between two steps, or is another at the end of a loop than at its beginning and they lie on
+    /// either side of it.
+    /// @param from,to parts of steps too
+    [[nodiscard]] bool jumpsBetween(const Parameter& row, double from, double to) const;
     /// What gives birth at a step: the emitter as it is then, and how it has come there.
     [[nodiscard]] Spawner spawnerAt(std::int64_t step) const;
     /// Where a step lies among the puffs of a source that surges.
@@ -143,6 +150,10 @@ public:
     /// air is computed step by step, or none. Costs nothing: when particles are born and how noise moves does not
     /// depend on it.
     void placeEmitter(const glm::vec3& position, const glm::vec3& normal) { m_effect.placeEmitter(position, normal); }
+
+    /// Lets the turbulence go on from where that of another model is at a step, whose rates were others: for models
+    /// whose parameters somebody sets while they run. Neither loops, nor has rates that change over time.
+    void continueFrom(const SimulationModel& before, std::int64_t step);
 
     /// Lets the particles be born on those of another layer, in the same air.
     void setParent(std::shared_ptr<const SimulationModel> parent);
@@ -182,7 +193,24 @@ private:
     /// What random numbers that are drawn anew every step are multiplied by. The source draws once a frame; the sum of
     /// n draws in a frame spreads as far as one of them times sqrt(n), and n steps of a frame are each n times shorter.
     [[nodiscard]] float drawScale() const;
-    [[nodiscard]] OctaveAtStep octaveAt(const Turbulence& turbulence, std::int64_t step, int octave) const;
+    /// @param turbulence with the rates by which its slices are counted
+    /// @param faster than those it changes
+    [[nodiscard]] OctaveAtStep octaveAt(
+        const Turbulence& turbulence, float faster, std::int64_t step, int octave) const;
+    /// Whether turbulence becomes another: in a loop, also where it only drifts.
+    [[nodiscard]] bool evolves() const;
+    /// Which slices of time an octave is between.
+    /// @param cellsPerStep where nothing changes its rate
+    /// @param faster than the parameter says it changes
+    [[nodiscard]] RowPosition evolvedTo(std::int64_t step, double cellsPerStep, double faster) const;
+    /// How far an octave has risen, in units of its lattice.
+    struct Drift {
+        double now = 0.0;
+        double perStep = 0.0; ///< by the rate by which slices are counted
+        double inLoop = 0.0; ///< whole
+    };
+    /// @param drift by which slices are counted
+    [[nodiscard]] Drift driftedTo(float drift, std::int64_t step, double latticePerMetre) const;
     void placeRings(const Effect& now, std::int64_t step, StepConstants& out) const;
     void placeAir(const Effect& now, StepConstants& out) const;
     void placeTurbulence(const Effect& now, std::int64_t step, StepConstants& out) const;
@@ -194,13 +222,23 @@ private:
     SampledEffect m_effect;
     LayerClock m_clock;
     Schedule m_schedule;
+    /// How turbulence moves.
+    struct Pace {
+        float drift = 0.0F; ///< by which slices are counted, m/s
+        float evolution = 0.0F; ///< Hz
+        double drifted = 0.0; ///< what it has drifted, of rates before, beyond what those now make of all time, m
+        double evolved = 0.0; ///< turns
+    };
+    Pace m_pace;
     std::shared_ptr<BakedAir> m_air;
     std::shared_ptr<const SimulationModel> m_parent;
     std::int64_t m_parentAhead = 0; ///< its step less that of the particles
     std::optional<AirGrid> m_grid; ///< of the air that carries the particles; none where none does
     bool m_changes = false; ///< whether anything of a step does over time
     std::optional<SampledEffect> m_strongest; ///< none: nothing changes over time
-    std::optional<RateSum> m_gusts; ///< of rates that change over time
+    std::optional<RateSum> m_drift; ///< of rates that change over time
+    std::optional<RateSum> m_evolution;
+    std::optional<RateSum> m_gusts;
     std::optional<RateSum> m_surges;
     std::optional<RateSum> m_rings;
 };

@@ -214,7 +214,7 @@ inline constexpr std::array kRows<Air>{
         .tip = "Centre of the obstacle.",
         .visible = when("air.enabled", true),
         .dirties = DirtyStage::Air,
-        .live = Live::Fixed,
+        .animates = Animates::Step,
     }),
     row<&Air::obstacleSize>({
         .key = "air.obstacle_size",
@@ -228,7 +228,7 @@ inline constexpr std::array kRows<Air>{
         .tip = "Edges of the box; of a sphere the first number is the diameter.",
         .visible = when("air.enabled", true),
         .dirties = DirtyStage::Air,
-        .live = Live::Fixed,
+        .animates = Animates::Step,
     }),
 };
 

@@ -269,6 +269,7 @@ inline constexpr std::array kRows<Look>{
         .unit = Unit::PerSecond,
         .tip = "How fast the noise in a particle boils: lattice cells of the third axis a second.",
         .dirties = DirtyStage::Shade,
+        .animates = Animates::Rate,
     }),
     row<&Look::rotationVariance>({
         .key = "look.rotation_variance",
@@ -290,6 +291,7 @@ inline constexpr std::array kRows<Look>{
         .unit = Unit::DegreesPerSecond,
         .tip = "Rate at which each particle turns on the screen.",
         .dirties = DirtyStage::Shade,
+        .animates = Animates::Rate,
     }),
     row<&Look::spinVariance>({
         .key = "look.spin_variance",
@@ -301,6 +303,7 @@ inline constexpr std::array kRows<Look>{
         .unit = Unit::DegreesPerSecond,
         .tip = "Random part of that rate, different for every particle.",
         .dirties = DirtyStage::Shade,
+        .animates = Animates::Rate,
     }),
     row<&Look::roll>({
         .key = "look.roll",

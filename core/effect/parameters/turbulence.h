@@ -59,6 +59,7 @@ inline constexpr std::array kRows<Turbulence>{
         .step = 0.02,
         .unit = Unit::Hertz,
         .tip = "How often the largest swirls become others; smaller ones change faster.",
+        .animates = Animates::Rate,
     }),
     row<&Turbulence::onset>({
         .key = "turbulence.onset",
@@ -91,6 +92,7 @@ inline constexpr std::array kRows<Turbulence>{
         .step = 0.02,
         .unit = Unit::MetresPerSecond,
         .tip = "Speed at which the swirls rise along with the smoke, instead of standing still while it passes.",
+        .animates = Animates::Rate,
     }),
     row<&Turbulence::lacunarity>({
         .key = "turbulence.lacunarity",
