@@ -64,8 +64,8 @@ void findHalo(AirCells& cells)
 /// The solid of a closed face: the first that one of its two cells lies in.
 const Solid* solidAt(std::span<const Solid> solids, const glm::vec3& one, const glm::vec3& other)
 {
-    const auto found = std::find_if(solids.begin(), solids.end(),
-        [&](const Solid& solid) { return solid.contains(one) || solid.contains(other); });
+    const auto found = std::find_if(
+        solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(one) || solid.contains(other); });
     return found == solids.end() ? nullptr : &*found;
 }
 
@@ -166,8 +166,8 @@ void fillHalo(const AirCells& cells, AirColumn& quads)
                 sum[part] += part == side / 2 ? -from[part] : from[part];
             }
             if (cells.hasMovingWalls()) {
-                const std::size_t face = cells.column.at(skin.cell.x, skin.cell.y, skin.cell.z)
-                    + (side % 2 == 0 ? 0 : faces[side / 2]);
+                const std::size_t face =
+                    cells.column.at(skin.cell.x, skin.cell.y, skin.cell.z) + (side % 2 == 0 ? 0 : faces[side / 2]);
                 sum[side / 2] += 2.0F * (*walls[side / 2])[face];
             }
             count += 1.0F;

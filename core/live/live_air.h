@@ -17,8 +17,9 @@ struct AirPlan;
 /// Its box goes with the emitter, of several layers with that of the first that feeds it (see findFeedingLayers()), by
 /// whole cells: air that stays in it stays where it is in the world, what comes in is the wind, and what is left behind
 /// is forgotten. So an emitter that moves less than a cell has the air of one that stands still, to the bit. Ground and
-/// obstacle stay in the world, and where the obstacle is set elsewhere it moves there and pushes the air; the box never goes under the ground, stands on it where it comes down to it, and leaves
-/// it with an emitter that rises. A wind that is set moves all of the air at once, as gusts do.
+/// obstacle stay in the world, and where the obstacle is set elsewhere it moves there and pushes the air; the box never
+/// goes under the ground, stands on it where it comes down to it, and leaves it with an emitter that rises. A wind that
+/// is set moves all of the air at once, as gusts do.
 class LiveAir {
 public:
     /// @param layers with air, one or more, for which checkAir() has nothing to say

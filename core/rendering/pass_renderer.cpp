@@ -115,8 +115,7 @@ OtherMoment momentOf(
 void PassRenderer::makeOtherSprites(
     const LayerAmongOthers& layer, const Effect& other, const LightGrid& light, std::size_t number)
 {
-    const LitLayer lit{
-        layer.now, &other, &m_renderer.appearance(number), nullptr, layer.effect->tracks().get()};
+    const LitLayer lit{layer.now, &other, &m_renderer.appearance(number), nullptr, layer.effect->tracks().get()};
     makeSprites(lit, light, m_renderer.surface(number), {}, m_renderer.batch(number).view, m_other);
 }
 

@@ -66,9 +66,7 @@ HWY_INLINE Vec3<V> afterTouch(D d, const AirConstants& air, const Vec3<V>& veloc
     return chosen(isTouched, along * (1.0F - air.friction) - outward * (into * air.restitution), velocity);
 }
 
-/// The same of the obstacle, against which what is not carried has the velocity that it has less the obstacle's own.
-/// The air about it has that already.
-/// @param place on its surface
+/// The same of the obstacle at a place on it: what is not carried has a velocity of its own against one that moves.
 HWY_INLINE Vec3<V> afterTouchOfObstacle(
     D d, const AirConstants& air, const Vec3<V>& place, const Vec3<V>& velocity, const Vec3<V>& outward)
 {
@@ -128,12 +126,11 @@ HWY_INLINE void keepOutOfBox(D d, const AirConstants& air, Vec3<V>& place, Vec3<
             hn::IfThenZeroElse(throughZ, velocity.z)};
         return;
     }
-    const V zero3 = hn::Zero(d);
     const V one = hn::Set(d, 1.0F);
     const Vec3<V> outward{hn::IfThenElseZero(throughX, hn::CopySign(one, away.x)), hn::IfThenElseZero(throughY, up),
         hn::IfThenElseZero(throughZ, hn::CopySign(one, away.z))};
-    velocity = chosen(
-        hn::Gt(dot(outward, outward), zero3), afterTouchOfObstacle(d, air, place, velocity, outward), velocity);
+    velocity =
+        chosen(hn::Gt(dot(outward, outward), zero), afterTouchOfObstacle(d, air, place, velocity, outward), velocity);
 }
 
 /// Keeps places out of obstacle and ground. Smoke slides along: what velocity it has into it goes. What is not carried

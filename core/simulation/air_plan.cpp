@@ -5,6 +5,7 @@
 #include "core/base/vector.h"
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
+#include "core/simulation/air_obstacle.h"
 #include "core/simulation/simulation_model.h"
 
 #include <algorithm>

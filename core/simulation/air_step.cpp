@@ -3,8 +3,8 @@
 #include "core/base/hash.h"
 #include "core/base/math.h"
 #include "core/base/random_place.h"
-#include "core/effect/known_parameter.h"
 #include "core/flow/source_kernel.h"
+#include "core/simulation/air_obstacle.h"
 #include "core/simulation/air_source.h"
 
 #include <algorithm>
@@ -308,21 +308,6 @@ AirFeed feedOf(const AirFeeder& feeder, const AirGrid& grid, const Moment& momen
     return feed;
 }
 
-/// What stands in the air at the end of a part of a step, and how it has come there: where a key frame takes it
-/// elsewhere at once, it has not moved.
-/// @param before,now air at the beginning and at the end
-std::optional<Solid> obstacleIn(
-    const SimulationModel& model, double begin, double end, float seconds, const Air& before, const Air& now)
-{
-    const std::optional<Solid> obstacle = obstacleOf(now);
-    const bool isStill = before.obstaclePosition == now.obstaclePosition && before.obstacleSize == now.obstacleSize;
-    if (!obstacle || isStill || model.jumpsBetween(knownParameter("air.obstacle_position"), begin, end)
-        || model.jumpsBetween(knownParameter("air.obstacle_size"), begin, end)) {
-        return obstacle;
-    }
-    return movedBetween(*obstacleOf(before), *obstacle, seconds);
-}
-
 void findAirPart(
     std::span<const AirFeeder> feeders, const AirGrid& grid, const Moment& moment, int pieces, AirStep& step)
 {
@@ -358,15 +343,6 @@ void findAirPart(
 }
 
 } // namespace
-
-std::optional<Solid> obstacleOf(const Air& air)
-{
-    if (air.obstacle == Obstacle::None) {
-        return std::nullopt;
-    }
-    const SolidShape shape = air.obstacle == Obstacle::Sphere ? SolidShape::Sphere : SolidShape::Box;
-    return Solid{shape, air.obstaclePosition, air.obstacleSize, {}, {}};
-}
 
 glm::vec3 windSpeed(const glm::vec3& acceleration, const Air& air)
 {

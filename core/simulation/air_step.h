@@ -3,7 +3,6 @@
 #include "core/flow/step.h"
 #include "core/simulation/simulation_model.h"
 
-#include <optional>
 #include <span>
 
 namespace fumage {
@@ -34,9 +33,6 @@ void findAirStep(std::span<const AirFeeder> feeders, const AirGrid& grid, AirSte
 /// Pieces that the air takes a time in.
 /// @param acts whether the source gives anything off
 [[nodiscard]] int piecesOfStep(const SampledEffect& effect, float seconds, bool acts);
-
-/// What stands in the air; none: nothing.
-[[nodiscard]] std::optional<Solid> obstacleOf(const Air& air);
 
 /// The wind's speed: that at which drag balances its acceleration, as for a lone particle.
 [[nodiscard]] glm::vec3 windSpeed(const glm::vec3& acceleration, const Air& air);

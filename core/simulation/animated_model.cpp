@@ -46,8 +46,7 @@ bool SimulationModel::evolves() const
 {
     const Turbulence& turbulence = m_effect->turbulence;
     const bool drifts = turbulence.drift != 0.0F || m_drift;
-    return turbulence.evolution > 0.0F || m_evolution || m_pace.evolved != 0.0
-        || (m_schedule.loopSteps != 0 && drifts);
+    return turbulence.evolution > 0.0F || m_evolution || m_pace.evolved != 0.0 || (m_schedule.loopSteps != 0 && drifts);
 }
 
 RowPosition SimulationModel::evolvedTo(std::int64_t step, double cellsPerStep, double faster) const

@@ -174,8 +174,7 @@ float SimulationModel::rotationAt(std::int64_t step) const
     return radians(motion.rotation + motion.rotationJitter * drawScale() * signedFloat(bits)) * m_schedule.dt;
 }
 
-OctaveAtStep SimulationModel::octaveAt(
-    const Turbulence& turbulence, float faster, std::int64_t step, int octave) const
+OctaveAtStep SimulationModel::octaveAt(const Turbulence& turbulence, float faster, std::int64_t step, int octave) const
 {
     const auto order = static_cast<float>(octave);
     OctaveAtStep out;

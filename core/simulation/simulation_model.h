@@ -137,8 +137,8 @@ public:
     /// The effect with each number that changes over time at its greatest: what is as often as it is in the effect may
     /// not be more often at one time than at another.
     [[nodiscard]] const SampledEffect& strongest() const { return m_strongest ? *m_strongest : m_effect; }
-    /// Whether a value jumps between two steps, or is another at the end of a loop than at its beginning and they lie on
-    /// either side of it.
+    /// Whether a value jumps between two steps, or is another at the end of a loop than at its beginning and they lie
+    /// on either side of it.
     /// @param from,to parts of steps too
     [[nodiscard]] bool jumpsBetween(const Parameter& row, double from, double to) const;
     /// What gives birth at a step: the emitter as it is then, and how it has come there.
