@@ -240,8 +240,9 @@ private slots:
     {
         QFETCH(QString, key);
         const Parameter& row = *findParameter(key.toStdString());
-        if (&row == &knownParameter("camera.turntable") || &row == &knownParameter("emitter.inherit")) {
-            return; // no particle knows of it, where nothing moves the emitter
+        if (&row == &knownParameter("camera.turntable") || &row == &knownParameter("emitter.inherit")
+            || row.key.starts_with("emitter.parent_life")) {
+            return; // no particle knows of it, where nothing moves the emitter, or is born on another
         }
         // How often swirls of the air and of its source become others goes by what is greatest; how many places there
         // are for particles, by how many there are ever.

@@ -96,6 +96,23 @@ class BornOnTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void atWhichAgeChangesWithKeyFrames()
+    {
+        Scene scene = rocketWithTrail();
+        const Parameter& row = knownParameter("emitter.parent_life_to");
+        scene.layers[1].tracks.set(Track{&row, {{0.0, 1.0F, Ease::Hold}, {0.4, 0.0F}}});
+        const std::shared_ptr<const Frame> trail = frameOf(scene, kFrame).layers[1];
+        int seen = 0;
+        for (std::size_t i = 0; i < trail->particles.capacity; ++i) {
+            const Lifecycle cycle = lifecycle(*trail, i);
+            if (cycle.alive) {
+                QVERIFY(cycle.age > 0.299F); // the last before 0.4 s: at step 11 of 20
+                ++seen;
+            }
+        }
+        QVERIFY(seen > 100);
+    }
+
     /// Where it was born on a rocket that flies straight on, and what it took along: y = v (t - age) + share v age.
     void aTrailLiesOnTheWay_data()
     {

@@ -184,6 +184,7 @@ inline constexpr std::array kRows<Emitter>{
         .step = 0.01,
         .tip = "Of a layer whose particles are born on those of another: the share of a parent's life from which on "
                "they are. 0.9: near its death, as the stars of a firework's shell.",
+        .animates = Animates::Birth,
         .varies = false,
     }),
     row<&Emitter::parentLifeTo>({
@@ -195,6 +196,7 @@ inline constexpr std::array kRows<Emitter>{
         .step = 0.01,
         .tip = "Of a layer whose particles are born on those of another: the share of a parent's life up to which they "
                "are. 0.1: while it is young.",
+        .animates = Animates::Birth,
         .varies = false,
     }),
     row<&Emitter::mode>({

@@ -84,6 +84,7 @@ inline constexpr std::array kRows<Look>{
         .tip = "Length of the largest billows of the detail; three octaves are finer. Five to six cells of the air.",
         .visible = when("air.enabled", true),
         .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Look::detailLife>({
         .key = "look.detail_life",
