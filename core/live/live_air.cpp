@@ -26,6 +26,17 @@ int cellsToGround(const AirGrid& grid, float height)
         std::ceil(std::clamp((height - grid.corner.y) / grid.cell - kRounding, -kFarthest, kFarthest)));
 }
 
+/// A body that has gone a share of its way, and does not move on.
+Solid onWay(const Solid& from, const Solid& to, float share)
+{
+    Solid out = to;
+    if (share < 1.0F) {
+        out.centre = glm::mix(from.centre, to.centre, share);
+        out.size = glm::mix(from.size, to.size, share);
+    }
+    return out;
+}
+
 /// The layer whose emitter the box goes with.
 std::size_t leaderOf(SampledLayers layers)
 {
@@ -55,6 +66,9 @@ LiveAir::LiveAir(const Effect& leader, const AirPlan& plan)
     , m_emitter(leader.emitter.position)
 {
     m_field.wind = plan.wind;
+    if (!m_solids.empty()) {
+        m_reached = m_target = m_solids.front();
+    }
     const Air& air = leader.air;
     if (air.ground) {
         m_floor = cellsToGround(plan.grid, air.groundHeight);
@@ -86,28 +100,25 @@ void LiveAir::follow(const glm::vec3& emitter)
     }
 }
 
-void LiveAir::moveObstacle()
+void LiveAir::moveObstacle(float share)
 {
     if (!m_step.obstacle || m_solids.empty()) {
         return;
     }
+    m_target = *m_step.obstacle;
+    const float farthest = std::max({m_target.size.x, m_target.size.y, m_target.size.z});
+    const bool goes = glm::distance(m_reached.centre, m_target.centre) <= farthest;
     const Solid before = m_solids.front();
-    const Solid after = *m_step.obstacle;
-    const float farthest = std::max({after.size.x, after.size.y, after.size.z});
+    const Solid after = goes ? onWay(m_reached, m_target, share) : m_target;
+    Solid from = before;
+    float passed = 0.0F;
+    const auto move = [&](AirStep& part, bool isLast) {
+        passed += part.share;
+        const Solid to = isLast ? after : onWay(before, after, passed);
+        part.obstacle = goes ? movedBetween(from, to, part.dt * static_cast<float>(part.pieces)) : to;
+        from = to;
+    };
     if (before.centre != after.centre || before.size != after.size) {
-        const bool goes = glm::distance(before.centre, after.centre) <= farthest;
-        Solid from = before;
-        float share = 0.0F;
-        const auto move = [&](AirStep& part, bool isLast) {
-            share += part.share;
-            Solid to = after;
-            if (!isLast) {
-                to.centre = glm::mix(before.centre, after.centre, share);
-                to.size = glm::mix(before.size, after.size, share);
-            }
-            part.obstacle = goes ? movedBetween(from, to, part.dt * static_cast<float>(part.pieces)) : after;
-            from = to;
-        };
         for (AirStep& part : m_step.earlier) {
             move(part, false);
         }
@@ -116,7 +127,7 @@ void LiveAir::moveObstacle()
     m_solids.front() = *m_step.obstacle;
 }
 
-void LiveAir::step(std::span<const AirFeeder> feeders, std::int64_t number)
+void LiveAir::step(std::span<const AirFeeder> feeders, std::int64_t number, double share)
 {
     number = std::max<std::int64_t>(1, number);
     if (m_at == number) {
@@ -128,7 +139,7 @@ void LiveAir::step(std::span<const AirFeeder> feeders, std::int64_t number)
     // Since the effect before, too.
     AirStep& first = m_step.earlier.empty() ? m_step : m_step.earlier.front();
     first.windChange = (first.wind - m_field.wind) / static_cast<float>(first.pieces);
-    moveObstacle();
+    moveObstacle(static_cast<float>(share));
     m_solver.step(m_step, m_field);
 }
 

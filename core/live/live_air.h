@@ -31,10 +31,15 @@ public:
     /// @param feeders one or more, whose air has the cells of grid(), in the order of findFeedingLayers()
     /// Step 0 is as step 1: what carries newborns is the first air that has moved, as in AirBake.
     /// Allocates nothing after the first few steps but where the box moves beside an obstacle, or on or off the ground.
-    void step(std::span<const AirFeeder> feeders, std::int64_t number);
+    /// @param share of the way that the obstacle has gone by then from where it last arrived, 0 to 1. Farther than it
+    /// is large it pushes nothing: it is there at once.
+    void step(std::span<const AirFeeder> feeders, std::int64_t number, double share = 1.0);
     /// The same of one.
     /// @param acts share of the step in which the source gives anything off, 0 to 1
     void step(const SimulationModel& model, std::int64_t number, float acts);
+
+    /// Lets the obstacle have come to where it goes.
+    void arrive() { m_reached = m_target; }
 
     /// The box as it stands now.
     [[nodiscard]] const AirGrid& grid() const { return m_solver.grid(); }
@@ -44,9 +49,8 @@ public:
 private:
     LiveAir(const Effect& leader, const AirPlan& plan);
 
-    /// Finds how the obstacle comes from where it was to where it is at the end of the step. Farther than it is large
-    /// nothing is pushed in a step: it is there at once.
-    void moveObstacle();
+    /// Finds how the obstacle comes from where it was to where it is at the end of the step.
+    void moveObstacle(float share);
     /// Takes the box along where the emitter is no longer where it was in it.
     void follow(const glm::vec3& emitter);
 
@@ -54,6 +58,8 @@ private:
     AirField m_field;
     AirStep m_step; ///< the last one, whose memory the next one has
     std::vector<Solid> m_solids; ///< as they are at the end of the last step
+    Solid m_reached; ///< the obstacle, where there is one, where it last arrived
+    Solid m_target; ///< where it goes
     AirBoundaries m_borders; ///< of the box as it stands now
     glm::vec3 m_home; ///< corner of the box at the start, m
     glm::vec3 m_emitter; ///< its place then, m

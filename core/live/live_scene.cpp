@@ -219,6 +219,9 @@ Result<int> LiveScene::step(double seconds)
     for (LiveLayer& layer : m_layers) {
         layer.arrive();
     }
+    if (m_air) {
+        m_air->arrive();
+    }
     return steps;
 }
 
@@ -230,7 +233,7 @@ void LiveScene::stepOnce(double share)
     for (const std::size_t layer : m_order) {
         m_layers[layer].begin(m_step, share);
     }
-    stepAir();
+    stepAir(share);
     for (const std::size_t layer : m_order) {
         m_layers[layer].plan(m_air ? &m_air->field() : nullptr);
     }
@@ -246,7 +249,7 @@ void LiveScene::stepOnce(double share)
     }
 }
 
-void LiveScene::stepAir()
+void LiveScene::stepAir(double share)
 {
     if (!m_air) {
         return;
@@ -254,9 +257,9 @@ void LiveScene::stepAir()
     m_feeders.clear();
     for (const std::size_t feeding : m_feeding) {
         const std::size_t layer = m_visible[feeding];
-        m_feeders.push_back(m_layers[layer].feeder(m_step, share(layer)));
+        m_feeders.push_back(m_layers[layer].feeder(m_step, this->share(layer)));
     }
-    m_air->step(m_feeders, m_step);
+    m_air->step(m_feeders, m_step, share);
 }
 
 void LiveScene::followEmitter(std::size_t layer, const Emitter& before, const Emitter& now)

@@ -171,7 +171,7 @@ private:
     /// @param seconds since the start
     void animate(double seconds);
     void stepOnce(double share);
-    void stepAir();
+    void stepAir(double share);
     void outdateLight();
     [[nodiscard]] LiveLight& light();
 

@@ -267,6 +267,11 @@ private slots:
             }
         }
         QVERIFY(touched > 50);
+        // In two steps of a call it goes half the way each.
+        effect.air.obstaclePosition.x += 0.2F;
+        QVERIFY(live.value().setEffect(0, effect).ok());
+        QCOMPARE(live.value().step(2.0 / kFrameRate).value(), 2);
+        QVERIFY(std::none_of(p.vx.begin(), p.vx.end(), [](float v) { return v > 1.6F * kSpeed; }));
         // One that is set far away is there at once, and pushes nothing.
         effect.air.obstaclePosition.x = 4.0F;
         QVERIFY(live.value().setEffect(0, effect).ok());
