@@ -152,7 +152,7 @@ private slots:
         const std::int64_t start = 2 * model.schedule().loopSteps;
         QVERIFY(upwards(model, start + 3) == upwards(model, start + 3 + model.schedule().loopSteps));
         for (std::int64_t step = start - 2; step < start + 2; ++step) {
-            QVERIFY(correlation(upwards(model, step), upwards(model, step + 1)) > 0.9); // no jump through its end
+            QVERIFY(correlation(upwards(model, step), upwards(model, step + 1)) > 0.6); // a jump would leave none
         }
     }
 
