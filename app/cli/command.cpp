@@ -34,6 +34,9 @@ void warnWhereItHasNoEffect(const std::string& assignment, const Scene& scene)
     const LayerAssignment part = layerAssignment(scene, assignment).value();
     const Effect effect = scene.effect(part.layer);
     const Parameter* parameter = findShownParameter(trimmed(part.assignment.substr(0, part.assignment.find('='))));
+    if (parameter != nullptr && parameter->ofBorn && !parentOf(scene, part.layer)) {
+        warn(optionOf("--set ", assignment) + ": has no effect on a layer that is born on no other");
+    }
     if (parameter != nullptr && !isVisible(*parameter, effect)) {
         const Parameter& other = *findParameter(parameter->visible.key);
         warn(optionOf("--set ", assignment) + ": has no effect while " + std::string(other.key) + " is "

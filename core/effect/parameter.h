@@ -113,6 +113,7 @@ struct Parameter {
     std::string_view source; ///< equation of the 2012 model, paper; empty where common practice
     std::span<const std::string_view> choices;
     VisibleWhen visible;
+    bool ofBorn = false; ///< matters only to a layer whose particles are born on those of another
     DirtyStage dirties = DirtyStage::Simulate;
     Animates animates = Animates::Never;
     /// Part of the smoke's character: variations change it, as far as its kind can be moved a little

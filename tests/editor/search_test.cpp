@@ -1,6 +1,7 @@
 // What is found by the words that people type, in the panel and in the search for commands.
 #include "panel_fixture.h"
 
+#include "ui/document/layer_edits.h"
 #include "ui/document/search_index.h"
 
 #include "core/effect/known_parameter.h"
@@ -13,6 +14,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -280,6 +282,40 @@ private slots:
                 QCOMPARE(one->isOpen(), open);
             }
         }
+    }
+
+    void whatMattersToLayersBornOnOthersIsShownThereAndWhereItIsSearchedFor()
+    {
+        const auto row = [this](std::string_view key) {
+            return m_panel->findChild<ParameterRow*>(toQString(key) + u".row"_q);
+        };
+        const std::array<std::string_view, 3> keys{
+            "emitter.inherit", "emitter.parent_life_from", "emitter.parent_life_to"};
+        const auto shown = [&] {
+            return std::count_if(keys.begin(), keys.end(), [&](std::string_view key) { return row(key)->isVisible(); });
+        };
+        for (const Parameter& parameter : parameterTable()) {
+            QCOMPARE(parameter.ofBorn, std::find(keys.begin(), keys.end(), parameter.key) != keys.end());
+        }
+        m_panel->setOpenGroups({u"emitter"_q});
+        QVERIFY(row("emitter.speed")->isVisible());
+        QCOMPARE(shown(), 0);
+        addLayer(*m_document);
+        setLayersParent(*m_document, {1}, 0);
+        m_document->selectLayer(1);
+        QCOMPARE(shown(), 3);
+        m_document->selectLayer(0);
+        QCOMPARE(shown(), 0);
+        // Who looks for them learns from their tips whose they are.
+        auto* search = m_panel->findChild<QLineEdit*>(u"parameterSearch"_q);
+        search->setText(u"inherit velocity"_q);
+        QVERIFY(row("emitter.inherit")->isVisible());
+        search->clear();
+        QCOMPARE(shown(), 0);
+        m_document->selectLayer(1);
+        QCOMPARE(shown(), 3);
+        m_document->undoStack()->undo(); // of its parent
+        QCOMPARE(shown(), 0);
     }
 };
 

@@ -119,8 +119,12 @@ void ParameterGroup::showMark()
 
 bool ParameterGroup::isOfUse(std::size_t row) const
 {
+    const Parameter& parameter = m_rows[row]->parameter();
+    // Who searches may look for what a layer can have once it is born on another: the tip says of which it is.
+    const bool hasMeaning =
+        !parameter.ofBorn || m_isSearched || parentOf(m_document.scene(), m_document.layer()).has_value();
     // Key frames are in the file and in the timeline, of use or not.
-    return m_only.animated || fumage::isVisible(m_rows[row]->parameter(), m_document.effect());
+    return m_only.animated || (hasMeaning && fumage::isVisible(parameter, m_document.effect()));
 }
 
 bool ParameterGroup::isWanted(std::size_t row) const

@@ -173,6 +173,7 @@ inline constexpr std::array kRows<Emitter>{
         .step = 0.01,
         .tip = "Of a layer whose particles are born on those of another: the share of their velocity that they take "
                "along. 0: a trail that stays where it was left. 1: what goes on with them.",
+        .ofBorn = true,
         .animates = Animates::Birth,
     }),
     row<&Emitter::parentLifeFrom>({
@@ -184,6 +185,7 @@ inline constexpr std::array kRows<Emitter>{
         .step = 0.01,
         .tip = "Of a layer whose particles are born on those of another: the share of a parent's life from which on "
                "they are. 0.9: near its death, as the stars of a firework's shell.",
+        .ofBorn = true,
         .animates = Animates::Birth,
         .varies = false,
     }),
@@ -196,6 +198,7 @@ inline constexpr std::array kRows<Emitter>{
         .step = 0.01,
         .tip = "Of a layer whose particles are born on those of another: the share of a parent's life up to which they "
                "are. 0.1: while it is young.",
+        .ofBorn = true,
         .animates = Animates::Birth,
         .varies = false,
     }),
