@@ -162,6 +162,17 @@ std::string_view splitPart(std::string_view text, char separator, std::size_t in
     return text.substr(0, text.find(separator));
 }
 
+std::optional<std::string_view> Parts::next()
+{
+    if (!m_rest) {
+        return std::nullopt;
+    }
+    const std::size_t end = m_rest->find(m_separator);
+    const std::string_view part = m_rest->substr(0, end);
+    m_rest = end == std::string_view::npos ? std::nullopt : std::optional(m_rest->substr(end + 1));
+    return part;
+}
+
 std::string_view trimmed(std::string_view text)
 {
     constexpr std::string_view kSpace = " \t\r\n";

@@ -29,6 +29,23 @@ namespace fumage {
 /// @return that part of the text, without separators; a look into the text, which must outlive it
 [[nodiscard]] std::string_view splitPart(std::string_view text, char separator, std::size_t index);
 
+/// Goes through the parts of a text, as splitPart() has them, in one pass: the way through texts with many.
+class Parts {
+public:
+    /// @param text which must outlive this
+    Parts(std::string_view text, char separator)
+        : m_rest(text)
+        , m_separator(separator)
+    {
+    }
+    /// @return the next part; none: that was the last one. O(part)
+    [[nodiscard]] std::optional<std::string_view> next();
+
+private:
+    std::optional<std::string_view> m_rest; ///< from the next part on
+    char m_separator;
+};
+
 /// @return the text without spaces, tabs and line ends at its ends; a look into it
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 

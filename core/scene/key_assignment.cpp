@@ -83,8 +83,10 @@ Result<bool> animateScene(Scene& scene, std::string_view text)
     const std::string_view keys =
         equals == std::string_view::npos ? std::string_view() : trimmed(assignment.substr(equals + 1));
     bool clamped = false;
-    for (std::size_t i = 0; !keys.empty() && i < splitCount(keys, ';'); ++i) {
-        const std::string_view item = trimmed(splitPart(keys, ';', i));
+    // Of more keys than there may be checkTrack() tells.
+    Parts parts(keys, ';');
+    for (auto next = parts.next(); !keys.empty() && next && track.keys.size() <= kMaxKeyFrames; next = parts.next()) {
+        const std::string_view item = trimmed(*next);
         if (const std::optional<Status> status = readExtrapolation(item, track)) {
             if (!*status) {
                 return status->error();

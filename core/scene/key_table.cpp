@@ -4,6 +4,7 @@
 #include "core/effect/value.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace fumage {
@@ -58,27 +59,27 @@ Result<Track> parseKeyTable(const Parameter& parameter, std::string_view text, i
 {
     Track track{&parameter, {}};
     double perSecond = 1.0;
-    const std::size_t lines = splitCount(text, '\n');
-    for (std::size_t i = 0; i < lines; ++i) {
-        const std::string_view line = trimmed(splitPart(text, '\n', i));
+    Parts lines(text, '\n');
+    for (std::size_t number = 1; const std::optional<std::string_view> part = lines.next(); ++number) {
+        const std::string_view line = trimmed(*part);
         if (line.empty()) {
             continue;
         }
         const char separator = separatorOf(line);
         const std::string_view first = trimmed(splitPart(line, separator, 0));
         const std::optional<double> time = parseDouble(first);
-        if (!time && i == 0) {
+        if (!time && number == 1) {
             perSecond = inSmallLetters(first).starts_with("frame") ? frameRate : 1.0;
             continue;
         }
-        if (!time) {
+        if (!time || !std::isfinite(*time)) {
             return inLine({ErrorCode::Syntax, makeMessage("%1 is no time", inQuotes(first)), {},
                               makeMessage("Write seconds, then the value, with commas between")},
-                i + 1);
+                number);
         }
         const Result<Clamped> value = parseValue(parameter, valueOf(line, separator));
         if (!value) {
-            return inLine(value.error(), i + 1);
+            return inLine(value.error(), number);
         }
         if (track.keys.size() > kMaxKeyFrames) {
             break; // checkTrack() says so

@@ -21,8 +21,10 @@ Result<bool> markScene(Scene& scene, std::string_view text)
     std::vector<Marker> markers = scene.markers;
     std::erase_if(markers, [&](const Marker& marker) { return marker.name == name; });
     const std::string_view times = trimmed(text.substr(equals + 1));
-    for (std::size_t i = 0; !times.empty() && i < splitCount(times, ';'); ++i) {
-        const std::optional<double> seconds = parseDouble(trimmed(splitPart(times, ';', i)));
+    // Of more markers than there may be checkMarkers() tells.
+    Parts parts(times, ';');
+    for (auto part = parts.next(); !times.empty() && part && markers.size() <= kMaxMarkers; part = parts.next()) {
+        const std::optional<double> seconds = parseDouble(trimmed(*part));
         if (!seconds) {
             return malformed();
         }

@@ -53,6 +53,20 @@ private slots:
         QCOMPARE(splitPart("whole", ',', 0), std::string_view("whole"));
     }
 
+    void partsComeOneAfterTheOther()
+    {
+        for (const std::string_view text : {"a,,b", "", "whole", ",", "a,b,", ",,,x"}) {
+            Parts parts(text, ',');
+            for (std::size_t i = 0; i < splitCount(text, ','); ++i) {
+                const std::optional<std::string_view> part = parts.next();
+                QVERIFY(part.has_value());
+                QCOMPARE(*part, splitPart(text, ',', i));
+            }
+            QVERIFY(!parts.next().has_value());
+            QVERIFY(!parts.next().has_value());
+        }
+    }
+
     void aPartBehindTheLastIsEmpty()
     {
         QCOMPARE(splitPart("a,b", ',', 2), std::string_view());

@@ -81,9 +81,16 @@ private slots:
                                     << "line 2";
         QTest::newRow("NaN") << "0,nan\n"
                              << "line 1";
-        QTest::newRow("NaN as time") << "nan,1\n"
-                                     << "emitter.rate";
+        QTest::newRow("NaN as time") << "0,1\nnan,1\n"
+                                     << "line 2: \"nan\" is no time";
+        QTest::newRow("never") << "-inf,1\n"
+                               << "line 1: \"-inf\" is no time";
+        QTest::newRow("far") << "1e300,1\n"
+                             << "emitter.rate: a key frame lies";
         QTest::newRow("too many") << many << "10001 key frames";
+        QTest::newRow("nothing, a million times") << QString(1'000'000, QLatin1Char('\n')) << "0 key frames";
+        QTest::newRow("words after a million lines")
+            << QString(1'000'000, QLatin1Char('\n')) + QStringLiteral("soon,1") << "line 1000001: \"soon\"";
         QTest::newRow("binary") << QString(4000, QChar(1)) << "0 key frames";
     }
     void whatIsNoTableIsRefusedWithItsLine()

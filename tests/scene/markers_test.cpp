@@ -252,6 +252,7 @@ private slots:
         QTest::newRow("controls") << "Bo\nom=1";
         QTest::newRow("more than there may be")
             << QStringLiteral("Boom=1") + QStringLiteral(";1").repeated(static_cast<int>(kMaxMarkers));
+        QTest::newRow("a million") << QStringLiteral("Boom=1") + QStringLiteral(";1").repeated(1'000'000);
     }
     void wordsOfTheCommandLine()
     {
