@@ -33,10 +33,18 @@ Value valueOf(const Parameter& parameter, const Numbers& numbers)
     return clampValue(parameter, vector).value;
 }
 
+/// Steepest slope: sums of two are still numbers, also of keys that lie as near to each other as numbers can.
+constexpr double kMaxSlope = 1e37;
+
+double inReach(double slope)
+{
+    return std::clamp(slope, -kMaxSlope, kMaxSlope);
+}
+
 /// From one value to the other, units a second.
 double secant(const KeyFrame& from, const KeyFrame& to, std::size_t component)
 {
-    return (numbersOf(to.value)[component] - numbersOf(from.value)[component]) / (to.seconds - from.seconds);
+    return inReach((numbersOf(to.value)[component] - numbersOf(from.value)[component]) / (to.seconds - from.seconds));
 }
 
 /// Slope at a key between two, of secants over times: 0 where they point different ways, else their harmonic mean.
@@ -79,9 +87,15 @@ double autoSlope(const std::vector<KeyFrame>& keys, std::size_t key, std::size_t
     return monotoneSlope(slope(key - 1), time(key - 1), slope(key), time(key));
 }
 
+/// Whether a key says which slope a smooth piece has on one side of it.
+bool hasOwnSlope(const KeyFrame& key, bool after)
+{
+    return key.ease == Ease::Free || (key.ease != Ease::Auto && key.ownArrival && !after);
+}
+
 double slopeAt(const std::vector<KeyFrame>& keys, std::size_t key, std::size_t component, bool after)
 {
-    if (keys[key].ease != Ease::Free) {
+    if (!hasOwnSlope(keys[key], after)) {
         return autoSlope(keys, key, component);
     }
     const glm::vec3& own = after ? keys[key].slopeOut : keys[key].slopeIn;
@@ -172,7 +186,7 @@ glm::vec3 slopesOf(Kind kind, const Slope& slope)
     glm::vec3 slopes(0.0F);
     const glm::length_t count = kind == Kind::Float ? 1 : 3;
     for (glm::length_t i = 0; i < count; ++i) {
-        slopes[i] = static_cast<float>(slope(static_cast<std::size_t>(i)));
+        slopes[i] = static_cast<float>(inReach(slope(static_cast<std::size_t>(i))));
     }
     return slopes;
 }
@@ -224,6 +238,15 @@ glm::vec3 slopeBetweenKeys(const Track& track, double seconds)
     });
 }
 
+void stretchSlopes(KeyFrame& key, double factor)
+{
+    for (glm::vec3* slopes : {&key.slopeIn, &key.slopeOut}) {
+        for (glm::length_t i = 0; i < slopes->length(); ++i) {
+            (*slopes)[i] = static_cast<float>(inReach(static_cast<double>((*slopes)[i]) / factor));
+        }
+    }
+}
+
 Value Track::at(double seconds) const
 {
     const double time = timeAmongKeys(*this, seconds);
@@ -266,7 +289,8 @@ bool Track::jumpsIn(double from, double to) const
 bool Track::isConstant() const
 {
     return std::all_of(keys.begin(), keys.end(), [&](const KeyFrame& key) {
-        const bool isLevel = key.ease != Ease::Free || (key.slopeIn == glm::vec3(0.0F) && key.slopeOut == key.slopeIn);
+        const bool isLevel =
+            !hasOwnSlope(key, false) || (key.slopeIn == glm::vec3(0.0F) && key.slopeOut == key.slopeIn);
         return isLevel && key.value == keys.front().value;
     });
 }

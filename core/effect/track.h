@@ -39,6 +39,8 @@ struct KeyFrame {
     /// Of a free key: how fast the value changes before and after it, in its unit a second; a number has x alone.
     glm::vec3 slopeIn{0.0F};
     glm::vec3 slopeOut{0.0F};
+    /// Of a linear or held key: a smooth piece before it arrives with slopeIn, in place of the slope of a smooth key.
+    bool ownArrival = false;
     friend bool operator==(const KeyFrame&, const KeyFrame&) = default;
 };
 
@@ -99,6 +101,11 @@ struct Track {
 /// How fast the value changes at a time between the first and the last key frame, in its unit a second, before it is
 /// brought into the hard range; at a key the slope after it. 0 outside, and where nothing bends.
 [[nodiscard]] glm::vec3 slopeBetweenKeys(const Track& track, double seconds);
+
+/// A key frame of a curve that is stretched in time: its slopes are as much gentler, or steeper, as far as they are its
+/// own.
+/// @param factor above 0: how many times as long everything takes
+void stretchSlopes(KeyFrame& key, double factor);
 
 /// What keeps a track from being one: no key, keys that are out of order, at the same or at no time, values of another
 /// kind, a parameter that cannot change over time.

@@ -41,6 +41,19 @@ KeyFrame keyOnCurve(const Track& track, std::size_t next, double seconds)
     return key;
 }
 
+/// Lets a linear or held key frame be arrived at as before another came. Parameters are those of keepSlopes().
+void keepArrival(Track& track, const Track& before, std::size_t at, std::size_t next)
+{
+    const std::size_t now = at < next ? at : at + 1;
+    KeyFrame& key = track.keys[now];
+    const bool isSmooth = at > 0 && (before.keys[at - 1].ease == Ease::Auto || before.keys[at - 1].ease == Ease::Free);
+    const glm::vec3 in = isSmooth ? slopeAtKey(before, at, false) : glm::vec3(0.0F);
+    if (at == 0 || (isSmooth && !areSame(slopeAtKey(track, now, false), in))) {
+        key.slopeIn = in;
+        key.ownArrival = at > 0;
+    }
+}
+
 /// Puts back the slopes that a key frame had before another came.
 /// @param before the track without that one
 /// @param at     index of the key in before
@@ -60,6 +73,8 @@ void keepSlopes(Track& track, const Track& before, std::size_t at, std::size_t n
         if (!areSame(slopeAtKey(track, now, false), in) || !areSame(slopeAtKey(track, now, true), out)) {
             key = {key.seconds, key.value, Ease::Free, in, out};
         }
+    } else {
+        keepArrival(track, before, at, next);
     }
 }
 

@@ -11,10 +11,10 @@ namespace fumage {
 /// Adds a key frame on the curve, which stays as it is: a smooth piece is divided into two free ones, and smooth keys
 /// beside it that would get other slopes become free with those that they had.
 ///
-/// To the bit where the value holds, within the rounding of its numbers else. But of four curves something is lost: a
-/// smooth piece that ends at a linear or a held key bends with the new distances, for such keys have no slopes of their
-/// own; a free piece that the hard range cuts off bends on its way there; a direction goes the same way at another
-/// pace; a key beyond the end makes what repeats longer.
+/// To the bit where the value holds, within the rounding of its numbers else; a linear or held key where a smooth piece
+/// ends keeps the slope with which it is arrived at. But of three curves something is lost: a free piece that the hard
+/// range cuts off bends on its way there; a direction goes the same way at another pace; a key beyond the end makes
+/// what repeats longer.
 /// @param seconds finite; outside of keys that repeat it stands for a time among them
 /// @return the time of the key frame, s; of the one that was there already, where there was one
 /// O(keys).

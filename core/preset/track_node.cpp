@@ -108,7 +108,7 @@ private:
     Status readKey(const JsonNode& node, bool& clamped)
     {
         const std::size_t count = node.items.size();
-        const bool isKey = node.type == JsonNode::Type::Array && (count == 2 || count == 3 || count == 5)
+        const bool isKey = node.type == JsonNode::Type::Array && count >= 2 && count <= 5
             && node.items.front().type == JsonNode::Type::Number;
         if (!isKey) {
             return wrong(node, makeMessage("a key frame is a list of its seconds, its value and its ease"));
@@ -140,18 +140,26 @@ private:
             return wrong(node.items[2], makeMessage("expected one of %1", joined(kEases)));
         }
         key.ease = static_cast<Ease>(*ease);
-        if ((key.ease == Ease::Free) != (node.items.size() == 5)) {
-            return wrong(node, makeMessage("a free key frame has two slopes, and no other has any"));
+        return readSlopes(node, key);
+    }
+
+    Status readSlopes(const JsonNode& node, KeyFrame& key)
+    {
+        const std::size_t count = node.items.size() - 3;
+        const bool mayArrive = key.ease == Ease::Linear || key.ease == Ease::Hold;
+        if (key.ease == Ease::Free ? count != 2 : count > (mayArrive ? 1U : 0U)) {
+            return wrong(node,
+                makeMessage("a free key frame has two slopes, a linear or held one may have that before it, and a "
+                            "smooth one has none"));
         }
-        if (key.ease == Ease::Free) {
-            const std::optional<glm::vec3> in = slopeOf(node.items[3]);
-            const std::optional<glm::vec3> out = slopeOf(node.items[4]);
-            if (!in || !out) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::optional<glm::vec3> slope = slopeOf(node.items[3 + i]);
+            if (!slope) {
                 return wrong(node, makeMessage("a slope is a number, or a list of three"));
             }
-            key.slopeIn = *in;
-            key.slopeOut = *out;
+            (i == 0 ? key.slopeIn : key.slopeOut) = *slope;
         }
+        key.ownArrival = mayArrive && count == 1;
         return Done{};
     }
 
@@ -228,8 +236,11 @@ std::string formatTrack(const Track& track)
         if (key.ease != Ease::Auto) {
             out += ", " + name(kEases, key.ease);
         }
+        if (key.ease == Ease::Free || (key.ease != Ease::Auto && key.ownArrival)) {
+            out += ", " + formatSlope(parameter, key.slopeIn);
+        }
         if (key.ease == Ease::Free) {
-            out += ", " + formatSlope(parameter, key.slopeIn) + ", " + formatSlope(parameter, key.slopeOut);
+            out += ", " + formatSlope(parameter, key.slopeOut);
         }
         out += "]";
     }

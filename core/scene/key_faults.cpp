@@ -42,8 +42,7 @@ Track movedIn(const Track& track, const Timeline& timeline)
     Track moved{track.parameter, {}, track.before, track.after};
     for (KeyFrame key : track.keys) {
         key.seconds = std::round(key.seconds * factor * timeline.frameRate) / timeline.frameRate;
-        key.slopeIn /= static_cast<float>(factor);
-        key.slopeOut /= static_cast<float>(factor);
+        stretchSlopes(key, factor);
         setKey(moved, key);
     }
     return moved;
@@ -52,7 +51,7 @@ Track movedIn(const Track& track, const Timeline& timeline)
 Track smoothed(Track track)
 {
     for (KeyFrame& key : track.keys) {
-        key.ease = key.ease == Ease::Hold ? Ease::Auto : key.ease;
+        key = key.ease == Ease::Hold ? KeyFrame{key.seconds, key.value} : key;
     }
     return track;
 }

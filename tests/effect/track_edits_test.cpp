@@ -61,6 +61,10 @@ private slots:
         QTest::newRow("hold") << QList<int>{2};
         QTest::newRow("free") << QList<int>{3};
         QTest::newRow("auto and free") << QList<int>{0, 3};
+        QTest::newRow("auto and linear") << QList<int>{0, 1};
+        QTest::newRow("auto and hold") << QList<int>{0, 2};
+        QTest::newRow("free, linear and hold") << QList<int>{1, 2, 3};
+        QTest::newRow("all") << QList<int>{0, 1, 2, 3};
     }
     void aKeyOnTheCurveLeavesItThere()
     {
@@ -93,6 +97,83 @@ private slots:
         track.after = Extrapolation::Loop;
         QCOMPARE(insertKey(track, 5.25), 0.25);
         QCOMPARE(track.keys.size(), std::size_t{3});
+    }
+
+    /// Where smooth pieces, lines and held values meet, whatever came before, and in all components.
+    void keysAddedOneAfterTheOtherLeaveTheCurveThere()
+    {
+        std::mt19937 random(23);
+        const auto vector = [&](double most) {
+            const auto part = [&] { return static_cast<float>(drawn(random, -most, most)); };
+            return glm::vec3(part(), part(), part());
+        };
+        int arrivals = 0;
+        for (int trial = 0; trial < 300; ++trial) {
+            Track before{&kPosition, {}};
+            const std::size_t count = 2 + random() % 5;
+            while (before.keys.size() < count) {
+                KeyFrame key{
+                    std::floor(drawn(random, 0.0, 300.0)) / 30.0, vector(1.0), static_cast<Ease>(random() % 4)};
+                if (key.ease == Ease::Free || (key.ease != Ease::Auto && random() % 4 == 0)) {
+                    key.ownArrival = key.ease != Ease::Free;
+                    key.slopeIn = vector(2.0);
+                    key.slopeOut = key.ownArrival ? glm::vec3(0.0F) : vector(2.0);
+                }
+                setKey(before, key);
+            }
+            Track after = before;
+            for (int i = 0; i < 4; ++i) {
+                insertKey(after, std::floor(drawn(random, -30.0, 330.0)) / 30.0);
+                QVERIFY(checkTrack(after));
+            }
+            for (const KeyFrame& key : before.keys) {
+                const KeyFrame& now = *keyAt(after, key.seconds);
+                QVERIFY(now.value == key.value);
+                QVERIFY(now.ease == key.ease || (key.ease == Ease::Auto && now.ease == Ease::Free));
+                arrivals += static_cast<int>(now.ownArrival && !key.ownArrival);
+            }
+            for (int i = -40; i <= 340; ++i) {
+                const double time = i / 30.0;
+                const glm::vec3 way = std::get<glm::vec3>(before.at(time)) - std::get<glm::vec3>(after.at(time));
+                constexpr float kRounding = 2e-5F; // 1e-5 of the range of the values
+                QVERIFY2(std::abs(way.x) <= kRounding && std::abs(way.y) <= kRounding && std::abs(way.z) <= kRounding,
+                    qPrintable(QStringLiteral("trial %1, %2 s: %3, %4, %5")
+                                   .arg(trial)
+                                   .arg(time)
+                                   .arg(way.x)
+                                   .arg(way.y)
+                                   .arg(way.z)));
+            }
+        }
+        QVERIFY(arrivals > 50); // such keys were met
+    }
+
+    void aLinearKeyIsArrivedAtAsItSays()
+    {
+        Track track{&kEmission, {{0.0, 1.0F}, {1.0, 2.0F, Ease::Linear}, {2.0, 0.0F}}};
+        QCOMPARE(slopeAtKey(track, 1, false).x, 0.0F); // it turns there
+        track.keys[1].slopeIn.x = 2.0F;
+        QCOMPARE(slopeAtKey(track, 1, false).x, 0.0F);
+        track.keys[1].ownArrival = true;
+        QCOMPARE(slopeAtKey(track, 1, false).x, 2.0F);
+        QCOMPARE(slopeAtKey(track, 1, true).x, -2.0F); // straight to the next
+        QCOMPARE(numberAt(track, 1.5), 1.0);
+        stretchSlopes(track.keys[1], 4.0);
+        QCOMPARE(track.keys[1].slopeIn.x, 0.5F);
+        track.keys[1].ease = Ease::Auto; // which has the slope of a smooth one, whatever stands there
+        QCOMPARE(slopeAtKey(track, 1, false).x, 0.0F);
+    }
+
+    void slopesStayNumbers()
+    {
+        // As near to each other as numbers can be.
+        Track track{&kEmission, {{0.0, 1.0F}, {5e-324, 500.0F}, {1.0, 2.0F, Ease::Free, glm::vec3(3e37F), {}}}};
+        QVERIFY(checkTrack(track));
+        insertKey(track, 0.5);
+        QVERIFY(checkTrack(track));
+        stretchSlopes(track.keys.back(), 1e-7);
+        QVERIFY(checkTrack(track));
+        QVERIFY(std::isfinite(numberAt(track, 0.25)));
     }
 
     void allComponentsStay()

@@ -455,6 +455,10 @@ private slots:
             {{0.1, glm::vec3(1.0F), Ease::Free, glm::vec3(0.25F), glm::vec3(-3.0F, 2.0F, 1.0F)},
                 {0.7, glm::vec3(2.0F)}});
         scene.layers[0].tracks.set(free);
+        Track arrived = trackOf(kRate, {{0.0, 0.0F}, {0.5, 1.0F, Ease::Hold}, {1.0, 0.5F, Ease::Linear}});
+        arrived.keys[1].slopeIn.x = 0.75F;
+        arrived.keys[1].ownArrival = true;
+        scene.layers[0].tracks.set(arrived);
         const Result<PresetReading> reading = parsePreset(textOf(scene), "here.json");
         QVERIFY2(reading.ok(), reading ? "" : reading.error().text().c_str());
         QVERIFY(reading.value().preset.scene == scene);
@@ -490,6 +494,10 @@ private slots:
         QTest::newRow("far") << rate("[[1e300, 1]]") << "away";
         QTest::newRow("unknown ease") << rate("[[0, 1, \"bounce\"]]") << "auto";
         QTest::newRow("slopes of none") << rate("[[0, 1, \"auto\", 1, 1]]") << "slopes";
+        QTest::newRow("two slopes of a held one") << rate("[[0, 1, \"hold\", 1, 1]]") << "slopes";
+        QTest::newRow("one slope of a free one") << rate("[[0, 1, \"free\", 1]]") << "slopes";
+        QTest::newRow("one slope of a smooth one") << rate("[[0, 1, \"auto\", 1]]") << "slopes";
+        QTest::newRow("no slope") << rate("[[0, 1, \"linear\", \"steep\"]]") << "a slope is a number";
         QTest::newRow("cannot change") << QStringLiteral(R"([{"key": "emitter.seed", "keys": [[0, 1]]}])")
                                        << "emitter.seed: this parameter cannot change";
         QTest::newRow("twice") << QStringLiteral(
@@ -526,6 +534,13 @@ private slots:
         QTest::newRow("ease") << "emitter.rate=0:1:free";
         QTest::newRow("outside") << "emitter.rate=0:1; after=bounce";
         QTest::newRow("no layer") << "embers/emitter.rate=0:1";
+        QString many = QStringLiteral("emitter.rate=0:1");
+        for (int key = 1; key < 100'000; ++key) {
+            many += QStringLiteral(";%1:1").arg(key);
+        }
+        QTest::newRow("more than there may be") << many;
+        QTest::newRow("nothing, a million times")
+            << QStringLiteral("emitter.rate=0:1") + QString(1'000'000, QLatin1Char(';'));
     }
     void wordsOfTheCommandLine()
     {

@@ -75,9 +75,8 @@ void stretchSlopes(Track& track, const std::vector<KeyPlace>& keys, double from,
 {
     const double factor = stretchOf(keys, from, to);
     for (KeyFrame& key : track.keys) {
-        if (key.ease == Ease::Free && factor > 0.0 && holds(keys, track, key)) {
-            key.slopeIn /= static_cast<float>(factor);
-            key.slopeOut /= static_cast<float>(factor);
+        if (factor > 0.0 && holds(keys, track, key)) {
+            fumage::stretchSlopes(key, factor);
         }
     }
 }
