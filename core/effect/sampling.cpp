@@ -37,6 +37,11 @@ double secondsOfFrame(const Timeline& timeline, int number)
     return static_cast<double>(timeline.loop ? number % timeline.length : number) / timeline.frameRate;
 }
 
+double lengthInSeconds(const Timeline& timeline)
+{
+    return static_cast<double>(timeline.length) / timeline.frameRate;
+}
+
 void SampledEffect::scaleLook(float size, float opacity)
 {
     if (size != 1.0F) {

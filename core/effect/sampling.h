@@ -92,6 +92,8 @@ private:
 /// The time of a frame since frame 0, s; in a loop within its length.
 /// @param number 0 or more
 [[nodiscard]] double secondsOfFrame(const Timeline& timeline, int number);
+/// How long a timeline is, s: where its last frame ends.
+[[nodiscard]] double lengthInSeconds(const Timeline& timeline);
 
 /// Writes into an effect what is read once a frame, and how far the turntable has turned.
 /// @param number 0 or more

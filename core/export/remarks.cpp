@@ -2,6 +2,7 @@
 
 #include "core/base/joined.h"
 #include "core/base/text.h"
+#include "core/effect/sampling.h"
 #include "core/export/engines/engine_remarks.h"
 #include "core/export/loop.h"
 #include "core/export/sheets/sheet_events.h"
@@ -95,7 +96,7 @@ std::string listed(const std::vector<std::string>& names)
 /// Markers that no game hears of.
 void addMarkers(const Scene& scene, const ExportPlan& plan, std::vector<Message>& remarks)
 {
-    const double length = static_cast<double>(scene.timeline.length) / scene.timeline.frameRate;
+    const double length = lengthInSeconds(scene.timeline);
     const bool isFlipbook = plan.kind == ExportKind::Flipbook;
     std::vector<std::string> late;
     std::vector<std::string> outside;

@@ -1,6 +1,7 @@
 #include "core/scene/key_faults.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/effect/sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +10,9 @@ namespace fumage {
 
 namespace {
 
-double lengthOf(const Timeline& timeline)
-{
-    return static_cast<double>(timeline.length) / timeline.frameRate;
-}
-
 bool isOpen(const Track& track, const Timeline& timeline)
 {
-    return timeline.loop && track.at(0.0) != track.at(lengthOf(timeline));
+    return timeline.loop && track.at(0.0) != track.at(lengthInSeconds(timeline));
 }
 
 bool jumps(const Track& track)
@@ -27,7 +23,7 @@ bool jumps(const Track& track)
 
 Track closed(Track track, const Timeline& timeline)
 {
-    const double end = lengthOf(timeline);
+    const double end = lengthInSeconds(timeline);
     const Value begin = track.at(0.0);
     track.before = track.after = Extrapolation::Hold;
     std::erase_if(track.keys, [&](const KeyFrame& key) { return key.seconds >= end; });
@@ -38,7 +34,7 @@ Track closed(Track track, const Timeline& timeline)
 
 Track movedIn(const Track& track, const Timeline& timeline)
 {
-    const double factor = lengthOf(timeline) / track.keys.back().seconds;
+    const double factor = lengthInSeconds(timeline) / track.keys.back().seconds;
     Track moved{track.parameter, {}, track.before, track.after};
     for (KeyFrame key : track.keys) {
         key.seconds = std::round(key.seconds * factor * timeline.frameRate) / timeline.frameRate;
@@ -62,7 +58,7 @@ std::vector<KeyFault> keyFaults(const Track& track, const Timeline& timeline)
 {
     std::vector<KeyFault> faults;
     // What is moved into the timeline may close, or open, a loop: it comes first.
-    if (track.keys.back().seconds > lengthOf(timeline)) {
+    if (track.keys.back().seconds > lengthInSeconds(timeline)) {
         faults.push_back(KeyFault::AfterEnd);
     }
     if (isOpen(track, timeline)) {
@@ -78,7 +74,8 @@ Track withoutFault(const Track& track, KeyFault fault, const Timeline& timeline)
 {
     switch (fault) {
     case KeyFault::OpenLoop: return isOpen(track, timeline) ? closed(track, timeline) : track;
-    case KeyFault::AfterEnd: return track.keys.back().seconds > lengthOf(timeline) ? movedIn(track, timeline) : track;
+    case KeyFault::AfterEnd:
+        return track.keys.back().seconds > lengthInSeconds(timeline) ? movedIn(track, timeline) : track;
     case KeyFault::RateJumps: break;
     }
     return jumps(track) ? smoothed(track) : track;
