@@ -3,6 +3,7 @@
 #include "tests/parameter_rows.h"
 
 #include "ui/document/document.h"
+#include "ui/document/layer_edits.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
@@ -156,6 +157,25 @@ private slots:
         QCOMPARE(changeOf(changes[1]).stale, DirtyStage::Noise);
         QCOMPARE(changeOf(changes[2]).stale, DirtyStage::Air);
         QCOMPARE(keysOf(changeOf(changes[2])), QStringList{u"wind.strength"_q});
+    }
+
+    void whatALayerIsBornOnMakesWorkStale()
+    {
+        Document document;
+        addLayer(document);
+        document.selectLayer(0);
+        setLayersVisible(document, {0}, false);
+        QSignalSpy changes(&document, &Document::effectChanged);
+        const auto stale = [&] { return changeOf(changes.back()).stale; };
+        document.edit(knownParameter("motion.gravity"), 3.0F);
+        QCOMPARE(stale(), DirtyStage::Shade); // nobody sees it
+        setLayersParent(document, {1}, 0);
+        QCOMPARE(stale(), DirtyStage::Air);
+        document.selectLayer(0);
+        document.edit(knownParameter("motion.gravity"), 4.0F);
+        QCOMPARE(stale(), DirtyStage::Simulate); // others are born on it
+        setLayersParent(document, {1}, std::nullopt);
+        QCOMPARE(stale(), DirtyStage::Air);
     }
 
     void undoAndRedoSayTheSameAsTheEdit()

@@ -57,6 +57,35 @@ DirtyStage staleBetween(const Tracks& before, const Tracks& after)
     return stale;
 }
 
+/// A layer, that on which it is born, seen or not, that on which that one is born, and so on.
+std::vector<std::size_t> withParents(const Scene& scene, std::size_t layer)
+{
+    std::vector<std::size_t> line{layer};
+    for (auto next = parentOf(scene, layer); next && line.size() <= scene.layers.size();
+         next = parentOf(scene, *next)) {
+        line.push_back(*next);
+    }
+    return line;
+}
+
+/// The same of two layers with those that they are born on.
+DirtyStage staleBetween(const Scene& before, std::size_t layerBefore, const Scene& after, std::size_t layerAfter)
+{
+    const std::vector<std::size_t> was = withParents(before, layerBefore);
+    const std::vector<std::size_t> is = withParents(after, layerAfter);
+    if (was.size() != is.size()) {
+        return DirtyStage::Air; // which those that are born on others do not feed
+    }
+    DirtyStage stale = DirtyStage::Shade;
+    for (std::size_t i = 0; i < is.size(); ++i) {
+        for (const Parameter* parameter : differences(before.effect(was[i]), after.effect(is[i]))) {
+            stale = std::max(stale, parameter->dirties);
+        }
+        stale = std::max(stale, staleBetween(before.allTracks(was[i]), after.allTracks(is[i])));
+    }
+    return stale;
+}
+
 /// The first stage of the work that has to be done again where one scene takes another's place.
 DirtyStage staleBetween(const Scene& before, const Scene& after)
 {
@@ -67,10 +96,7 @@ DirtyStage staleBetween(const Scene& before, const Scene& after)
     }
     DirtyStage stale = DirtyStage::Shade;
     for (std::size_t i = 0; i < is.size(); ++i) {
-        for (const Parameter* parameter : differences(before.effect(was[i]), after.effect(is[i]))) {
-            stale = std::max(stale, parameter->dirties);
-        }
-        stale = std::max(stale, staleBetween(before.allTracks(was[i]), after.allTracks(is[i])));
+        stale = std::max(stale, staleBetween(before, was[i], after, is[i]));
     }
     return stale;
 }
