@@ -11,8 +11,6 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace fumage::ui {
 
 namespace {
@@ -157,16 +155,8 @@ void PreviewPane::play()
         return;
     }
     constexpr double kMillisecondsASecond = 1000.0;
-    constexpr double kPause = 1.0; // s, after what does not loop
-    const SheetGrid& grid = m_preview->sheet.grid;
-    const double length = grid.loops ? grid.cells : grid.cells - 1 + kPause * m_preview->cellsPerSecond;
-    const double cell =
-        std::fmod(static_cast<double>(m_clock.elapsed()) / kMillisecondsASecond * m_preview->cellsPerSecond, length);
-    m_preview->playback->picture(cell, grid.loops, static_cast<CellBlending>(m_blending->currentIndex()), m_image);
-    encode(m_image, m_preview->output, m_encoded);
-    m_canvas->setImage(
-        QImage(m_encoded.pixels.data(), m_encoded.width, m_encoded.height, 4 * m_encoded.width, QImage::Format_RGBA8888)
-            .copy());
+    m_canvas->setImage(m_frame.at(*m_preview, static_cast<double>(m_clock.elapsed()) / kMillisecondsASecond,
+        static_cast<CellBlending>(m_blending->currentIndex())));
 }
 
 void PreviewPane::showEvent(QShowEvent* event)

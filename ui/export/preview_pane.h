@@ -1,8 +1,7 @@
 #pragma once
 
 #include "ui/export/preview_job.h"
-
-#include "core/rendering/view_transform.h"
+#include "ui/export/sheet_frame.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -58,8 +57,7 @@ private:
     QTimer m_settle; ///< while fields are being typed into
     QTimer m_tick;
     QElapsedTimer m_clock; ///< since the first cell
-    Image m_image;
-    EncodedImage<std::uint8_t> m_encoded;
+    SheetFrame m_frame;
     QWidget* m_body;
     PreviewCanvas* m_canvas;
     QComboBox* m_blending;
