@@ -11,6 +11,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 namespace fumage::ui {
 
@@ -24,6 +25,31 @@ QString text(const char* key)
 }
 
 } // namespace
+
+QStringList textsOf(const EngineChoice& choice)
+{
+    return {toQString(nameOf(choice.engine)), QString::number(choice.edge), choice.folder};
+}
+
+EngineChoice engineChoiceOf(const QStringList& texts)
+{
+    EngineChoice choice;
+    const auto engine =
+        std::ranges::find_if(kOfferedEngines, [&](Engine each) { return toQString(nameOf(each)) == texts.value(0); });
+    if (engine != kOfferedEngines.end()) {
+        choice.engine = *engine;
+    }
+    if (const auto edge = std::ranges::find(kSheetEdges, texts.value(1).toInt()); edge != kSheetEdges.end()) {
+        choice.edge = *edge;
+    }
+    choice.folder = QDir::isAbsolutePath(texts.value(2)) ? texts.value(2) : QString();
+    return choice;
+}
+
+QString usualEngineFolder()
+{
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)).filePath(QStringLiteral("Fumage"));
+}
 
 QString engineTitle(Engine engine)
 {

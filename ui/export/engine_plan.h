@@ -18,6 +18,19 @@ inline constexpr std::array kOfferedEngines{
 inline constexpr std::array kSheetEdges{1024, 2048, 4096};
 inline constexpr int kUsualSheetEdge = 2048;
 
+/// What was chosen last.
+struct EngineChoice {
+    Engine engine = Engine::Unity; ///< one of kOfferedEngines
+    int edge = kUsualSheetEdge; ///< one of kSheetEdges
+    QString folder{}; ///< empty: usualEngineFolder()
+};
+/// As it is remembered, and back; what is missing, or is none of what is offered, is as where nobody chooses.
+[[nodiscard]] QStringList textsOf(const EngineChoice& choice);
+[[nodiscard]] EngineChoice engineChoiceOf(const QStringList& texts);
+
+/// Where files for engines go at first.
+[[nodiscard]] QString usualEngineFolder();
+
 /// What people call an engine.
 [[nodiscard]] QString engineTitle(Engine engine);
 

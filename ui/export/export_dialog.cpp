@@ -18,7 +18,6 @@
 
 #include <QComboBox>
 #include <QDesktopServices>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -174,8 +173,8 @@ void ExportDialog::connectButtons()
     connect(
         m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
     connect(m_show, &QPushButton::clicked, this, [this] {
-        const QFileInfo output(fromPath(m_progress->followed()->job->plan.output));
-        QDesktopServices::openUrl(QUrl::fromLocalFile(output.path()));
+        QDesktopServices::openUrl(
+            QUrl::fromLocalFile(fromPath(m_progress->followed()->job->plan.output.parent_path())));
     });
     connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);
     connect(m_progress, &ExportProgress::fitRequested, this, [this] {
@@ -270,8 +269,7 @@ void ExportDialog::takePath(const QString& path)
 
 void ExportDialog::followPlan()
 {
-    // Nobody sees it: showEvent() catches up.
-    if (!isVisible()) {
+    if (!isVisible()) { // nobody sees it: showEvent() catches up
         return;
     }
     m_flipbook->follow(m_document.scene());
@@ -332,8 +330,7 @@ void ExportDialog::begin()
 void ExportDialog::followEntered(quint64 id, const ExportPlan& plan, std::optional<ConflictPolicy> answered)
 {
     if (answered == ConflictPolicy::KeepBoth) {
-        m_pathIsSuggested = false;
-        m_path->setText(fromPath(plan.output));
+        setFile(fromPath(plan.output));
     }
     m_progress->follow(id);
     emit added(plan);
@@ -342,16 +339,21 @@ void ExportDialog::followEntered(quint64 id, const ExportPlan& plan, std::option
 
 void ExportDialog::browse()
 {
-    const QString chosen = m_askForFile(this,
+    setFile(m_askForFile(this,
         {.purpose = FileQuestion::Purpose::Save,
             .title = tr("Export to"),
             .start = m_path->text(),
-            .mayReplace = true});
-    if (!chosen.isEmpty()) {
-        m_pathIsSuggested = false;
-        m_path->setText(chosen);
-        takePath(chosen);
+            .mayReplace = true}));
+}
+
+void ExportDialog::setFile(const QString& path)
+{
+    if (path.isEmpty()) {
+        return;
     }
+    m_pathIsSuggested = false;
+    m_path->setText(path);
+    takePath(path);
 }
 
 void ExportDialog::showEvent(QShowEvent* event)

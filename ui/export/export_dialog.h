@@ -45,6 +45,8 @@ public:
         AskForChoice askForChoice, QWidget* parent);
 
     [[nodiscard]] ExportPlan plan() const;
+    /// Names the file, as a person would. @param path empty: it stays what it is
+    void setFile(const QString& path);
     void setKind(ExportKind kind) { m_kind->setCurrentIndex(static_cast<int>(kind)); }
     /// What is chosen, for each kind; that of the kind that is shown is the first.
     [[nodiscard]] std::vector<ExportPlan> choices() const;

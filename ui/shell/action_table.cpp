@@ -69,6 +69,12 @@ constexpr ActionSpec kSpecs[] = {
         .lineAbove = true,
         .words = "render unity unreal godot engine flipbook sheet video movie gif png exr picture vdb volume output "
                  "save image"},
+    {.id = "file.engine",
+        .menu = kFile,
+        .text = QT_TRANSLATE_NOOP("Actions", "&Into my engine…"),
+        .keys = "Ctrl+Shift+E",
+        .icon = "engine",
+        .words = "unity unreal godot web html effekseer game engine flipbook sheet export quick import"},
     {.id = "file.exportAgain", .menu = kFile, .text = QT_TRANSLATE_NOOP("Actions", "Export a&gain"), .keys = "F12"},
     {.id = "file.close",
         .menu = kFile,

@@ -1,6 +1,7 @@
 #include "ui/shell/export_controller.h"
 
 #include "ui/document/text.h"
+#include "ui/export/engine_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/widgets/window_keeper.h"
 #include "ui/shell/action_table.h"
@@ -8,11 +9,17 @@
 
 #include "core/export/jobs/job_file.h"
 
+#include <algorithm>
+#include <array>
+
 namespace fumage::ui {
 
 namespace {
 
 const QString kChoices = QStringLiteral("exports/choices");
+/// What a dialog that is a window of its own must do by the same keys.
+constexpr std::array kKeysOfWindow{"file.quit", "file.save", "edit.undo", "edit.redo"};
+const QString kEngine = QStringLiteral("exports/engine");
 
 } // namespace
 
@@ -33,6 +40,7 @@ ExportController::ExportController(ExportQueue& queue, Document& document, const
     , m_again(queue, askForChoice, window)
 {
     actions.on("file.export", this, [this] { openDialog(); });
+    actions.on("file.engine", this, [this] { openEngine(); });
     actions.on("file.exportAgain", this, &ExportController::exportLastAgain);
     connect(&queue, &ExportQueue::changed, this, &ExportController::report);
     connect(&m_again, &ExportSubmission::refused, this, [this](const QString& message) { emit news(message, 0); });
@@ -63,7 +71,7 @@ void ExportController::makeDialog()
     m_dialog->take(choices);
     m_dialog->setSolo(m_solo);
     // A window of its own has the keys of its actions alone.
-    for (const char* id : {"file.quit", "file.save", "edit.undo", "edit.redo"}) {
+    for (const char* id : kKeysOfWindow) {
         m_dialog->addAction(&m_actions.get(id));
     }
     connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnConflict.reset(); });
@@ -99,6 +107,54 @@ ExportDialog& ExportController::openDialog()
     return *m_dialog;
 }
 
+void ExportController::makeEngine()
+{
+    m_engine = std::make_unique<EngineDialog>(m_document, m_queue, m_askForFile, m_askForChoice, m_window);
+    m_engine->take(engineChoiceOf(m_settings.list(kEngine, {})));
+    for (const char* id : kKeysOfWindow) {
+        m_engine->addAction(&m_actions.get(id));
+    }
+    connect(m_engine.get(), &EngineDialog::entryEnded, this, &ExportController::rest);
+    connect(m_engine.get(), &EngineDialog::optionsRequested, this, &ExportController::showOptions);
+    connect(m_engine.get(), &EngineDialog::chosen, this,
+        [this] { m_settings.setList(kEngine, textsOf(m_engine->choice())); });
+    connect(m_engine.get(), &EngineDialog::added, this, [this](const ExportPlan& plan) {
+        m_againOnConflict.reset();
+        m_last = plan;
+        emit added();
+    });
+}
+
+EngineDialog& ExportController::openEngine()
+{
+    if (m_engine == nullptr) {
+        makeEngine();
+    }
+    m_engine->show();
+    m_engine->raise();
+    m_engine->activateWindow();
+    return *m_engine;
+}
+
+void ExportController::showOptions(const ExportPlan& plan)
+{
+    ExportDialog& dialog = openDialog();
+    std::vector<ExportPlan> all = dialog.choices();
+    const auto isFlipbook = [](const ExportPlan& each) { return each.kind == ExportKind::Flipbook; };
+    ExportPlan first = *std::ranges::find_if(all, isFlipbook); // what kinds share stays as it is chosen there
+    first.format = plan.format;
+    first.passes = plan.passes;
+    first.style = plan.style;
+    first.layers = plan.layers;
+    first.flipbook = plan.flipbook;
+    first.fitCamera = plan.fitCamera;
+    first.project = plan.project;
+    all.insert(all.begin(), first);
+    dialog.take(all);
+    dialog.setFile(fromPath(plan.output));
+    m_engine->close();
+}
+
 void ExportController::exportLastAgain()
 {
     if (m_last) {
@@ -117,7 +173,8 @@ void ExportController::exportAgain(const ExportPlan& plan)
 
 bool ExportController::isBusy() const
 {
-    return m_again.isBusy() || (m_dialog != nullptr && m_dialog->isEntering());
+    return m_again.isBusy() || (m_dialog != nullptr && m_dialog->isEntering())
+        || (m_engine != nullptr && m_engine->isEntering());
 }
 
 void ExportController::rest()

@@ -16,6 +16,7 @@ class QWidget;
 namespace fumage::ui {
 
 class ActionSet;
+class EngineDialog;
 class ExportDialog;
 class Settings;
 
@@ -33,6 +34,8 @@ public:
     ~ExportController() override;
 
     ExportDialog& openDialog();
+    /// The short way into an engine.
+    EngineDialog& openEngine();
     /// What was exported last from this window, with the smoke as it is now; opens the dialog where nothing has been.
     void exportLastAgain();
     /// The same of any plan; asks once what becomes of files that are there.
@@ -51,6 +54,9 @@ signals:
 
 private:
     void makeDialog();
+    void makeEngine();
+    /// The dialog with the flipbook of a plan, and all else as it was.
+    void showOptions(const ExportPlan& plan);
     void rememberChoices();
     void rest();
     void report(quint64 id);
@@ -70,6 +76,7 @@ private:
     std::optional<ConflictPolicy> m_againOnConflict; ///< what was answered last time, until the dialog is seen
     ExportSubmission m_again;
     std::unique_ptr<ExportDialog> m_dialog; ///< null until it is asked for
+    std::unique_ptr<EngineDialog> m_engine; ///< likewise
 };
 
 } // namespace fumage::ui

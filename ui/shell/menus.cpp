@@ -16,6 +16,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace fumage::ui {
 
@@ -82,7 +83,10 @@ void buildToolBar(QMainWindow& window, const ActionSet& actions)
     auto* space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
-    add({"file.export"});
+    add({"file.engine", "file.export"});
+    // What one came for is in words.
+    auto* engine = qobject_cast<QToolButton*>(bar->widgetForAction(&actions.get("file.engine")));
+    engine->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 
 void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files)

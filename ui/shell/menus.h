@@ -2,10 +2,11 @@
 
 #include <functional>
 
+#include <QStringList>
+
 class QMainWindow;
 class QMenu;
 class QMenuBar;
-class QString;
 
 namespace fumage::ui {
 

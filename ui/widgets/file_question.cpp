@@ -36,7 +36,9 @@ QString askInDialog(QWidget* parent, const FileQuestion& question)
     dialog.setObjectName(QStringLiteral("fileDialog"));
     const bool saves = question.purpose == FileQuestion::Purpose::Save;
     dialog.setAcceptMode(saves ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog.setFileMode(saves ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    const bool isFolder = question.purpose == FileQuestion::Purpose::Folder;
+    dialog.setFileMode(saves ? QFileDialog::AnyFile : isFolder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+    dialog.setOption(QFileDialog::ShowDirsOnly, isFolder);
     dialog.setOption(QFileDialog::DontConfirmOverwrite, question.mayReplace);
     dialog.setDefaultSuffix(question.ending);
     while (dialog.exec() == QDialog::Accepted) {

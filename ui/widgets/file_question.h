@@ -13,6 +13,7 @@ struct FileQuestion {
     enum class Purpose {
         Open, ///< a file that is there
         Save, ///< a file that is written; one that is there is asked about
+        Folder, ///< that is there, or is made in the dialog
     };
     Purpose purpose = Purpose::Open;
     QString title;
