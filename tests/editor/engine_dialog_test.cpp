@@ -67,11 +67,11 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("file");
-        QTest::newRow("Unity") << u"unity"_q << u"Editor/little-smoke_4x2.cs"_q;
+        QTest::newRow("Unity") << u"unity"_q << u"Editor/little-smoke_2x4.cs"_q;
         QTest::newRow("Unreal") << u"unreal"_q << u"little-smoke_2x2_unreal.py"_q;
-        QTest::newRow("Godot") << u"godot"_q << u"little-smoke_4x2.tscn"_q;
-        QTest::newRow("web") << u"web"_q << u"little-smoke_4x2.html"_q;
-        QTest::newRow("Effekseer") << u"effekseer"_q << u"little-smoke_4x2.efkproj"_q;
+        QTest::newRow("Godot") << u"godot"_q << u"little-smoke_2x4.tscn"_q;
+        QTest::newRow("web") << u"web"_q << u"little-smoke_2x4.html"_q;
+        QTest::newRow("Effekseer") << u"effekseer"_q << u"little-smoke_2x4.efkproj"_q;
     }
     void oneClickEndsWithTheSheetPlaying()
     {
@@ -133,8 +133,8 @@ private slots:
         QSignalSpy wanted(m_dialog.get(), &EngineDialog::optionsRequested);
         press(u"engine.options"_q);
         QCOMPARE(wanted.size(), 1);
-        QCOMPARE(m_document->scene().output.width, 256); // four of them
-        QCOMPARE(m_document->scene().output.height, 128);
+        QCOMPARE(m_document->scene().output.width, 512); // two of them beside each other, four below
+        QCOMPARE(m_document->scene().output.height, 256);
         QCOMPARE(m_document->undoStack()->count(), 1);
         m_document->undoStack()->undo();
         QCOMPARE(m_document->scene().output.width, 2048);
@@ -158,7 +158,7 @@ private slots:
         QVERIFY(part<QPushButton>(u"engine.web"_q).isDefault());
         press(u"engine.effekseer"_q); // its picture has the same name: it is saved beside the first
         QTRY_VERIFY_WITH_TIMEOUT(m_dialog->stage().isPlaying(), kEndMs);
-        QVERIFY(QFile::exists(m_home->filePath(u"out/little-smoke_4x2-2.efkproj"_q)));
+        QVERIFY(QFile::exists(m_home->filePath(u"out/little-smoke_2x4-2.efkproj"_q)));
     }
 
     void aFileThatIsNotToBeOverwrittenLeavesTheChoice()

@@ -29,7 +29,7 @@ private slots:
         QCOMPARE(m_session->exports().rowCount(), 1);
         const QStringList remembered = m_session->settings().list(u"exports/engine"_q, {});
         QCOMPARE(remembered.value(0), u"godot"_q);
-        QVERIFY(QFile::exists(m_folder.filePath(u"game/small_8x4.tscn"_q)));
+        QVERIFY(QFile::exists(m_folder.filePath(u"game/small_4x8.tscn"_q)));
     }
 
     void moreOptionsAreThoseOfTheExportDialog()
@@ -44,7 +44,7 @@ private slots:
         QVERIFY(childOf<QCheckBox>(*all, u"export.sixWay"_q)->isChecked());
         QVERIFY(childOf<QCheckBox>(*all, u"export.motion"_q)->isChecked());
         QVERIFY(childOf<QCheckBox>(*all, u"export.fit"_q)->isChecked());
-        QCOMPARE(childOf<QLineEdit>(*all, u"export.path"_q)->text(), m_folder.filePath(u"game/small_8x4.png"_q));
+        QCOMPARE(childOf<QLineEdit>(*all, u"export.path"_q)->text(), m_folder.filePath(u"game/small_4x8.png"_q));
     }
 
 private:

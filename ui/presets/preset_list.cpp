@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 #include <QMimeData>
 #include <QPainter>
+#include <QStyledItemDelegate>
 #include <QTimer>
 
 namespace fumage::ui {
@@ -34,11 +35,41 @@ QString nameOf(const LibraryPreset& shelf)
     return shelf.preset.name.empty() ? toQString(shelf.entry.id) : textOf(shelf, shelf.preset.name);
 }
 
+/// Draws the picture that plays in place of the one that stands still.
+class PlayingDelegate : public QStyledItemDelegate {
+public:
+    explicit PlayingDelegate(PresetList& list)
+        : QStyledItemDelegate(&list)
+        , m_list(list)
+    {
+    }
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const LoopPlayer& player = m_list.player();
+        const QListWidgetItem* item = m_list.item(index.row());
+        if (player.name().isEmpty() || item == nullptr || m_list.idOf(item) != player.name()) {
+            return;
+        }
+        if (const QImage frame = player.frame(); !frame.isNull()) {
+            QPixmap pixmap = QPixmap::fromImage(frame);
+            pixmap.setDevicePixelRatio(m_list.devicePixelRatioF());
+            option->icon = QIcon(pixmap);
+        }
+    }
+
+private:
+    const PresetList& m_list;
+};
+
 } // namespace
 
 PresetList::PresetList(int edge, QWidget* parent)
     : QListWidget(parent)
     , m_thumbnailer(ThumbnailStore(ThumbnailStore::usualFolder()))
+    , m_player(ThumbnailStore(ThumbnailStore::usualFolder()))
     , m_edge(edge)
 {
     setObjectName(QStringLiteral("presetList"));
@@ -55,6 +86,20 @@ PresetList::PresetList(int edge, QWidget* parent)
     connect(
         &m_reader, &LibraryReader::found, this, qOverload<const std::vector<LibraryPreset>&, bool>(&PresetList::add));
     connect(&m_thumbnailer, &Thumbnailer::ready, this, &PresetList::receive);
+    setItemDelegate(new PlayingDelegate(*this));
+    setMouseTracking(true);
+    connect(this, &QListWidget::itemEntered, this, &PresetList::play);
+    connect(this, &QListWidget::viewportEntered, this, [this] { play(nullptr); });
+    connect(this, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (hasFocus()) {
+            play(item);
+        }
+    });
+    connect(&m_player, &LoopPlayer::moved, this, [this](const QString& id) {
+        if (const QListWidgetItem* item = m_items.value(id)) {
+            update(indexFromItem(item));
+        }
+    });
     connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         if (const Preset* preset = presetOf(item)) {
             const Preset copy = *preset; // the list may be filled anew while somebody answers a question
@@ -74,6 +119,46 @@ void PresetList::showEvent(QShowEvent* event)
     }
 }
 
+void PresetList::hideEvent(QHideEvent* event)
+{
+    QListWidget::hideEvent(event);
+    play(nullptr);
+}
+
+void PresetList::focusOutEvent(QFocusEvent* event)
+{
+    QListWidget::focusOutEvent(event);
+    if (!viewport()->underMouse()) {
+        play(nullptr);
+    }
+}
+
+bool PresetList::viewportEvent(QEvent* event)
+{
+    if (event->type() == QEvent::Leave) {
+        play(nullptr);
+    }
+    return QListWidget::viewportEvent(event);
+}
+
+void PresetList::setPlays(bool plays)
+{
+    m_plays = plays;
+    if (!plays) {
+        play(nullptr);
+    }
+}
+
+void PresetList::play(const QListWidgetItem* item)
+{
+    const Preset* preset = presetOf(item);
+    if (!m_plays || preset == nullptr || !isVisible()) {
+        m_player.stop();
+    } else {
+        m_player.start(idOf(item), preset->scene, pixels());
+    }
+}
+
 void PresetList::reload()
 {
     m_loaded = true;
@@ -84,6 +169,7 @@ void PresetList::add(const std::vector<LibraryPreset>& presets, bool first)
 {
     if (first) {
         m_thumbnailer.clear();
+        m_player.stop();
         clear();
         m_shelves.clear();
         m_items.clear();
@@ -97,10 +183,11 @@ void PresetList::add(const LibraryPreset& shelf)
 {
     const Preset& preset = shelf.preset;
     const QString id = idOfEntry(shelf.entry);
-    auto* item = new QListWidgetItem(this);
+    auto* item = new QListWidgetItem;
     item->setData(kShelfRole, static_cast<int>(m_shelves.size()));
     item->setSizeHint(gridSize());
     m_shelves.push_back(shelf);
+    insertItem(rowFor(id), item);
     m_items.insert(id, item);
     label(*item);
     item->setHidden(!isWanted(*item));
@@ -115,7 +202,21 @@ void PresetList::add(const LibraryPreset& shelf)
     QPixmap blank(m_edge, m_edge);
     blank.fill(QColor(30, 34, 40));
     item->setIcon(blank);
-    m_thumbnailer.request(id, preset.scene, static_cast<int>(m_edge * devicePixelRatioF()));
+    m_thumbnailer.request(id, preset.scene, pixels());
+    emit presetRead(id);
+}
+
+int PresetList::rowFor(const QString& id) const
+{
+    if (!m_first.contains(id)) {
+        return count();
+    }
+    const auto place = m_first.indexOf(id);
+    int row = 0;
+    while (row < count() && m_first.contains(idOf(item(row))) && m_first.indexOf(idOf(item(row))) < place) {
+        ++row;
+    }
+    return row;
 }
 
 void PresetList::label(QListWidgetItem& item) const
@@ -154,6 +255,12 @@ const Preset* PresetList::presetOf(const QListWidgetItem* item) const
 QString PresetList::idOf(const QListWidgetItem* item) const
 {
     return idOfEntry(shelfOf(item)->entry);
+}
+
+QString PresetList::descriptionOf(const QListWidgetItem* item) const
+{
+    const LibraryPreset& shelf = *shelfOf(item);
+    return textOf(shelf, shelf.preset.description);
 }
 
 const Preset* PresetList::presetOfId(const QString& id) const

@@ -1,6 +1,7 @@
 #include "ui/presets/start_dialog.h"
 
 #include "ui/document/text.h"
+#include "ui/presets/scene_card.h"
 #include "ui/widgets/plain_text.h"
 
 #include <QCheckBox>
@@ -15,6 +16,12 @@ namespace {
 
 constexpr int kThumbnail = 128;
 constexpr int kRecentWidth = 184;
+
+/// What stands on top and moves at once, and what follows: scenes of several layers before all else.
+const QString kBest = QStringLiteral("bonfire");
+const QStringList kScenes{QStringLiteral("blast"), QStringLiteral("torch"), QStringLiteral("firework"),
+    QStringLiteral("rocket-launch"), QStringLiteral("spell"), QStringLiteral("campfire"), QStringLiteral("explosion"),
+    QStringLiteral("volcano")};
 
 /// The files of last time, by their names.
 QListWidget* makeRecent(const QStringList& paths, QWidget* parent)
@@ -48,23 +55,27 @@ QLabel* makeTitle(const QString& text, QWidget* parent)
 
 StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     : QDialog(parent)
+    , m_list(new PresetList(kThumbnail, this))
+    , m_card(new SceneCard(this))
     , m_again(new QCheckBox(tr("Show this when Fumage starts"), this))
 {
     setObjectName(QStringLiteral("startDialog"));
     setWindowTitle(tr("Start from a preset"));
-    auto* list = new PresetList(kThumbnail, this);
+    m_list->setFirst(kScenes);
     QListWidget* files = makeRecent(recentFiles, this);
     auto* open = new QPushButton(tr("Open a file…"), this);
     open->setObjectName(QStringLiteral("startOpen"));
     auto* empty = new QPushButton(tr("New smoke"), this);
     empty->setObjectName(QStringLiteral("startDefault"));
     empty->setDefault(true);
+    empty->setFocus();
     m_again->setObjectName(QStringLiteral("startAgain"));
     m_again->setChecked(true);
 
     auto* left = new QVBoxLayout;
-    left->addWidget(makeTitle(tr("Presets"), this));
-    left->addWidget(list, 1);
+    left->addWidget(m_card);
+    left->addWidget(makeTitle(tr("Scenes and presets"), this));
+    left->addWidget(m_list, 1);
     auto* right = new QVBoxLayout;
     right->addWidget(makeTitle(tr("Recent files"), this));
     right->addWidget(files, 1);
@@ -79,15 +90,23 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     layout->setSpacing(12);
     layout->addLayout(columns, 1);
     layout->addWidget(m_again);
-    constexpr QSize kUsual(984, 620); // five pictures side by side
+    constexpr QSize kUsual(984, 720); // five pictures side by side
     resize(kUsual);
 
-    connect(list, &PresetList::chosen, this, [this](const Preset& preset) {
-        accept();
-        emit presetChosen(preset);
+    connect(m_list, &PresetList::chosen, this, &StartDialog::choose);
+    connect(m_list, &PresetList::presetRead, this, [this](const QString& id) {
+        if (id == kBest) {
+            const QListWidgetItem* item = m_list->itemOfId(id);
+            m_card->setPreset(*m_list->presetOf(item), item->text(), m_list->descriptionOf(item));
+        }
+    });
+    connect(m_card, &SceneCard::clicked, this, [this] {
+        if (const Preset* preset = m_card->preset()) {
+            choose(Preset(*preset)); // a copy: the card may go
+        }
     });
     // One click is enough here: there is nothing else that one could want of a picture.
-    connect(list, &QListWidget::itemClicked, list, &QListWidget::itemActivated);
+    connect(m_list, &QListWidget::itemClicked, m_list, &QListWidget::itemActivated);
     connect(files, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
         if ((item->flags() & Qt::ItemIsEnabled) == 0) {
             return; // it is a word in place of files
@@ -104,6 +123,18 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
         accept();
         emit defaultRequested();
     });
+}
+
+void StartDialog::choose(const Preset& preset)
+{
+    accept();
+    emit presetChosen(preset);
+}
+
+void StartDialog::setPlays(bool plays)
+{
+    m_list->setPlays(plays);
+    m_card->setPlays(plays);
 }
 
 bool StartDialog::showAgain() const

@@ -8,6 +8,8 @@ class QCheckBox;
 
 namespace fumage::ui {
 
+class SceneCard;
+
 /// What an empty session shows first: presets to begin with and the files of last time.
 class StartDialog : public QDialog {
     Q_OBJECT
@@ -17,6 +19,8 @@ public:
 
     [[nodiscard]] bool showAgain() const;
     void setShowAgain(bool shows);
+    /// Whether what is first moves by itself, and the others under the pointer.
+    void setPlays(bool plays);
 
 signals:
     void presetChosen(const fumage::Preset& preset);
@@ -25,6 +29,10 @@ signals:
     void defaultRequested();
 
 private:
+    void choose(const Preset& preset);
+
+    PresetList* m_list;
+    SceneCard* m_card;
     QCheckBox* m_again;
 };
 

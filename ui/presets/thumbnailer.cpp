@@ -26,9 +26,8 @@ int tellingFrame(const Effect& effect)
         static_cast<int>(seconds * effect.timeline.frameRate), 0, std::max(0, effect.timeline.length - 1));
 }
 
-} // namespace
-
-QImage renderThumbnail(const Scene& scene, int edge, const std::stop_token& stop)
+/// What is rendered in place of a scene: few particles, coarse air.
+RenderRequest requestFor(const Scene& scene, int edge)
 {
     Scene preview = scene;
     std::vector<SampledEffect> thin = sampledLayers(scene);
@@ -44,11 +43,37 @@ QImage renderThumbnail(const Scene& scene, int edge, const std::stop_token& stop
     preview.air.resolution = std::min(preview.air.resolution, kAirCells);
     RenderRequest request;
     request.scene = std::make_shared<const Scene>(preview);
-    request.frame = tellingFrame(preview.effect());
     request.width = edge;
     request.height = edge;
+    return request;
+}
+
+} // namespace
+
+QImage renderThumbnail(const Scene& scene, int edge, const std::stop_token& stop)
+{
+    RenderRequest request = requestFor(scene, edge);
+    request.frame = tellingFrame(request.scene->effect());
     const PicturePtr picture = PreviewRenderer().make(request, stop);
     return picture ? picture->image : QImage();
+}
+
+std::vector<QImage> renderThumbnailLoop(const Scene& scene, int edge, int frames, const std::stop_token& stop)
+{
+    RenderRequest request = requestFor(scene, edge);
+    PreviewRenderer renderer; // goes on from frame to frame
+    std::vector<QImage> loop;
+    const int length = std::max(1, scene.timeline.length);
+    for (int i = 0; i < frames; ++i) {
+        request.frame = static_cast<int>(std::int64_t{i} * length / frames);
+        ++request.revision;
+        const PicturePtr picture = renderer.make(request, stop);
+        if (!picture || stop.stop_requested()) {
+            return {};
+        }
+        loop.push_back(picture->image);
+    }
+    return loop;
 }
 
 bool showsSomething(const QImage& image)

@@ -10,6 +10,7 @@
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 namespace fumage::ui {
 
@@ -52,6 +53,12 @@ private:
 
 /// A small picture of an effect at its most telling frame, over the dark of the viewport.
 [[nodiscard]] QImage renderThumbnail(const Scene& scene, int edge, const std::stop_token& stop = {});
+
+/// An effect from the beginning of its timeline to its end, in frames at equal distances.
+/// @return empty where it was stopped, or cannot be rendered
+/// Some seconds.
+[[nodiscard]] std::vector<QImage> renderThumbnailLoop(
+    const Scene& scene, int edge, int frames, const std::stop_token& stop = {});
 
 /// Whether a picture shows something: it is neither empty nor full of one colour.
 [[nodiscard]] bool showsSomething(const QImage& image);

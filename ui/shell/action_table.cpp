@@ -157,7 +157,8 @@ constexpr ActionSpec kSpecs[] = {
         .text = QT_TRANSLATE_NOOP("Actions", "Pre&ferences…"),
         .keys = "Ctrl+,",
         .lineAbove = true,
-        .words = "settings options configuration theme language memory start welcome OpenGL recovery"},
+        .words = "settings options configuration theme language memory start welcome OpenGL recovery cache threads "
+                 "thumbnails"},
 
     {.id = "view.frameAll",
         .menu = kView,

@@ -1,12 +1,12 @@
 #include "ui/shell/app_services.h"
 
+#include "ui/presets/thumbnail_store.h"
 #include "ui/shell/shortcut_filter.h"
 #include "ui/widgets/input_guard.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/window_keeper.h"
 
 #include "core/base/heap.h"
-#include "core/base/parallel.h"
 
 #include <QApplication>
 #include <QDir>
@@ -15,6 +15,7 @@ namespace fumage::ui {
 
 AppServices::AppServices(AskForFile askForFile, AskForChoice askForChoice, QObject* parent)
     : QObject(parent)
+    , m_allThreads(static_cast<int>(parallelThreads()))
     , m_askForFile(std::move(askForFile))
     , m_askForChoice(std::move(askForChoice))
     , m_desktopIsDark(isDark(QApplication::palette()))
@@ -31,11 +32,31 @@ AppServices::AppServices(AskForFile askForFile, AskForChoice askForChoice, QObje
             [](const AsyncRequest::Report&, const std::stop_token&) { giveBackMemory(); }, [](const Error&) {});
     });
     computeInBackground();
+    connect(&m_settings, &Settings::threadsChanged, this, &AppServices::limitThreads);
+    limitThreads(m_settings.threads());
+    connect(&m_settings, &Settings::cacheMegabytesChanged, this, &AppServices::pruneCache);
+    pruneCache(m_settings.cacheMegabytes());
     ui::applyTheme(*qApp, m_settings.theme(), m_desktopIsDark);
     qApp->installEventFilter(new ShortcutFilter(this));
     qApp->installEventFilter(new PlainLabels(this));
     qApp->installEventFilter(new InputGuard(this));
     qApp->installEventFilter(new WindowKeeper(this));
+}
+
+void AppServices::limitThreads(int threads)
+{
+    m_threads.reset();
+    if (threads > 0) {
+        m_threads.emplace(threads);
+    }
+}
+
+void AppServices::pruneCache(int megabytes)
+{
+    constexpr qint64 kMegabyte = 1024 * 1024;
+    m_pruning.ask([bytes = megabytes * kMegabyte](const AsyncRequest::Report&,
+                      const std::stop_token&) { ThumbnailStore(ThumbnailStore::usualFolder()).prune(bytes); },
+        [](const Error&) {});
 }
 
 void AppServices::giveBackMemorySoon()

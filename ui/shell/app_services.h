@@ -7,8 +7,12 @@
 #include "ui/widgets/choice_question.h"
 #include "ui/widgets/file_question.h"
 
+#include "core/base/parallel.h"
+
 #include <QObject>
 #include <QTimer>
+
+#include <optional>
 
 namespace fumage::ui {
 
@@ -25,6 +29,8 @@ public:
     [[nodiscard]] ExportQueue& exports() { return m_exports; }
 
     void applyTheme(Theme theme);
+    /// How many threads compute where the settings set no limit.
+    [[nodiscard]] int allThreads() const { return m_allThreads; }
     /// Memory that is no longer needed goes back to the system in a moment.
     void giveBackMemorySoon();
 
@@ -42,13 +48,20 @@ protected:
     AppServices(AskForFile askForFile, AskForChoice askForChoice, QObject* parent);
 
 private:
+    void limitThreads(int threads);
+    /// Thumbnails on the disk come down to their size, on another thread.
+    void pruneCache(int megabytes);
+
     Settings m_settings;
+    const int m_allThreads;
+    std::optional<ThreadLimit> m_threads; ///< none: as many as there are
     const AskForFile m_askForFile;
     const AskForChoice m_askForChoice;
     const bool m_desktopIsDark; ///< as the program found it
     GlSupport m_glSupport;
     ExportQueue m_exports;
     QTimer m_thrift;
+    AsyncRequest m_pruning;
     AsyncRequest m_giving; ///< last: its thread ends first
 };
 

@@ -219,6 +219,8 @@ void MainWindow::connectPresets()
     Settings& settings = m_services.settings();
     PresetBrowser& browser = m_docks.browser();
     browser.setFavourites(settings.favourites());
+    browser.list().setPlays(settings.playsThumbnails());
+    connect(&settings, &Settings::playsThumbnailsChanged, &browser.list(), &PresetList::setPlays);
     connect(&browser, &PresetBrowser::opened, &m_files, &DocumentFiles::openPreset);
     connect(&browser, &PresetBrowser::applied, &m_document, [this](const Preset& preset) {
         m_document.replaceScene(preset.scene, 0, tr("Apply “%1”").arg(shortened(toQString(preset.name))));
@@ -323,6 +325,7 @@ StartDialog* MainWindow::showStart()
     auto* dialog = new StartDialog(m_services.settings().recentFiles(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setShowAgain(m_services.settings().showsStartDialog());
+    dialog->setPlays(m_services.settings().playsThumbnails());
     connect(dialog, &StartDialog::defaultRequested, &m_files, &DocumentFiles::newDocument);
     connect(dialog, &StartDialog::presetChosen, &m_files, &DocumentFiles::openPreset);
     connect(dialog, &StartDialog::fileChosen, &m_files, &DocumentFiles::openFile);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "ui/concurrency/async_request.h"
+
 #include <QDialog>
 
 class QFormLayout;
+class QLabel;
 
 namespace fumage::ui {
 
@@ -19,9 +22,16 @@ public:
 private:
     void addFace(QFormLayout& form);
     void addViewport(QFormLayout& form);
+    void addMachine(QFormLayout& form);
+    void addCache(QFormLayout& form);
     void addStart(QFormLayout& form);
+    /// Says what the thumbnails take on the disk, which is asked on another thread.
+    /// @param clears removes them before
+    void measureCache(bool clears);
 
     AppServices& m_services;
+    QLabel* m_cacheSize;
+    AsyncRequest m_cache; ///< last: its thread ends first
 };
 
 } // namespace fumage::ui

@@ -22,6 +22,9 @@ const QString kStart = QStringLiteral("start/shown");
 const QString kGraph = QStringLiteral("timeline/graph");
 const QString kOpenGl = QStringLiteral("viewport/opengl");
 const QString kPictures = QStringLiteral("viewport/megabytes");
+const QString kCache = QStringLiteral("cache/megabytes");
+const QString kThreads = QStringLiteral("compute/threads");
+const QString kPlays = QStringLiteral("presets/play");
 const QString kKnowsQueue = QStringLiteral("exports/shown");
 
 /// A number that an older or newer version may have written, as an enumerator that this one knows.
@@ -173,14 +176,53 @@ void Settings::setOpenGl(OpenGlChoice choice)
 
 int Settings::pictureMegabytes() const
 {
-    return std::clamp(
-        m_settings.value(kPictures, kUsualPictureMegabytes).toInt(), kMinPictureMegabytes, kMaxPictureMegabytes);
+    return number(kPictures, kUsualPictureMegabytes, kMinPictureMegabytes, kMaxPictureMegabytes);
 }
 
 void Settings::setPictureMegabytes(int megabytes)
 {
     m_settings.setValue(kPictures, megabytes);
     emit pictureMegabytesChanged(pictureMegabytes());
+}
+
+int Settings::cacheMegabytes() const
+{
+    return number(kCache, kUsualCacheMegabytes, kMinCacheMegabytes, kMaxCacheMegabytes);
+}
+
+void Settings::setCacheMegabytes(int megabytes)
+{
+    m_settings.setValue(kCache, megabytes);
+    emit cacheMegabytesChanged(cacheMegabytes());
+}
+
+int Settings::threads() const
+{
+    return number(kThreads, 0, 0, kMaxThreads);
+}
+
+void Settings::setThreads(int threads)
+{
+    m_settings.setValue(kThreads, threads);
+    emit threadsChanged(this->threads());
+}
+
+bool Settings::playsThumbnails() const
+{
+    return m_settings.value(kPlays, true).toBool();
+}
+
+void Settings::setPlaysThumbnails(bool plays)
+{
+    m_settings.setValue(kPlays, plays);
+    emit playsThumbnailsChanged(plays);
+}
+
+int Settings::number(const QString& key, int usual, int least, int most) const
+{
+    bool isNumber = false;
+    const int value = m_settings.value(key, usual).toInt(&isNumber);
+    return std::clamp(isNumber ? value : usual, least, most);
 }
 
 bool Settings::hasSeenQueue() const

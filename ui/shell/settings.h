@@ -58,6 +58,19 @@ public:
     static constexpr int kMinPictureMegabytes = 32;
     static constexpr int kMaxPictureMegabytes = 16384;
     static constexpr int kUsualPictureMegabytes = 256;
+    /// What thumbnails may take on the disk, in MB.
+    [[nodiscard]] int cacheMegabytes() const;
+    void setCacheMegabytes(int megabytes);
+    static constexpr int kMinCacheMegabytes = 8;
+    static constexpr int kMaxCacheMegabytes = 4096;
+    static constexpr int kUsualCacheMegabytes = 128;
+    /// How many threads compute at the same time, to kMaxThreads; 0: as many as the machine has.
+    [[nodiscard]] int threads() const;
+    void setThreads(int threads);
+    static constexpr int kMaxThreads = 256;
+    /// Whether thumbnails play while the pointer is on them.
+    [[nodiscard]] bool playsThumbnails() const;
+    void setPlaysThumbnails(bool plays);
 
     /// Whether the panel of exports has come by itself, which it does once.
     [[nodiscard]] bool hasSeenQueue() const;
@@ -80,8 +93,14 @@ signals:
     void themeChanged(fumage::ui::Theme theme);
     void languageChanged(const QString& code);
     void pictureMegabytesChanged(int megabytes);
+    void cacheMegabytesChanged(int megabytes);
+    void threadsChanged(int threads);
+    void playsThumbnailsChanged(bool plays);
 
 private:
+    /// A number of the file, which may hold anything: within its bounds, and the usual one where it is none.
+    [[nodiscard]] int number(const QString& key, int usual, int least, int most) const;
+
     QSettings m_settings;
 };
 
