@@ -1,6 +1,7 @@
 // What an empty session shows first.
 #include "editor_helpers.h"
 
+#include "ui/presets/scene_card.h"
 #include "ui/presets/start_dialog.h"
 
 #include <QCheckBox>
@@ -46,11 +47,47 @@ private slots:
         const Shown shown;
         auto& list = shown.part<PresetList>("presetList");
         QTRY_VERIFY(list.count() >= 14);
-        click(list, list.item(2));
+        QListWidgetItem* item = list.item(2);
+        click(list, item);
         QCOMPARE(shown.presets.size(), 1);
-        QVERIFY(shown.presets[0][0].value<Preset>().scene == list.presetOf(list.item(2))->scene);
+        QVERIFY(shown.presets[0][0].value<Preset>().scene == list.presetOf(item)->scene);
         QCOMPARE(shown.dialog.result(), static_cast<int>(QDialog::Accepted));
         QVERIFY(!shown.dialog.isVisible());
+    }
+
+    void aSceneOfSeveralLayersStandsOnTopAndOneClickOpensIt()
+    {
+        const Shown shown;
+        auto& card = shown.part<SceneCard>("startCard");
+        QTRY_VERIFY(card.isEnabled());
+        QVERIFY(!card.text().isEmpty());
+        QCOMPARE(card.player().name().isEmpty(), false); // it moves by itself
+        QTest::mouseClick(&card, Qt::LeftButton);
+        QCOMPARE(shown.presets.size(), 1);
+        QVERIFY(shown.presets[0][0].value<Preset>().scene.layers.size() > 1);
+        QVERIFY(!shown.dialog.isVisible());
+        QVERIFY(card.player().name().isEmpty());
+    }
+
+    void scenesComeBeforePresets()
+    {
+        const Shown shown;
+        auto& list = shown.part<PresetList>("presetList");
+        QTRY_VERIFY(list.itemOfId(u"volcano"_q) != nullptr); // the last of the library
+        QCOMPARE(list.idOf(list.item(0)), u"blast"_q);
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY(list.presetOf(list.item(i))->scene.layers.size() > 1);
+        }
+    }
+
+    void whereNothingIsToPlayNothingDoes()
+    {
+        StartDialog dialog({}, nullptr);
+        dialog.setPlays(false);
+        dialog.show();
+        const auto* card = dialog.findChild<SceneCard*>(u"startCard"_q);
+        QTRY_VERIFY(card->isEnabled());
+        QVERIFY(card->player().name().isEmpty());
     }
 
     void oneClickChoosesAFileOfLastTime()

@@ -2,10 +2,12 @@
 #include "window_fixture.h"
 
 #include "ui/export/engine_dialog.h"
+#include "ui/export/export_dialog.h"
 #include "ui/export/export_queue.h"
 #include "ui/export/mock_stage.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/export/loop.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -32,6 +34,21 @@ private slots:
         QVERIFY(QFile::exists(m_folder.filePath(u"game/small_4x8.tscn"_q)));
     }
 
+    void aLoopIsClosedInTheOptionsToo()
+    {
+        Preset preset = smallPreset();
+        preset.scene.timeline.loop = true;
+        preset.scene.timeline.length = 150;
+        m_window->document().load(preset, {});
+        EngineDialog& dialog = openEngine();
+        childOf<QPushButton>(dialog, u"engine.options"_q)->click();
+        const auto* all = m_window->findChild<ExportDialog*>(u"exportDialog"_q);
+        const FrameRange frames = all->plan().frames;
+        QVERIFY(turnOf(preset.scene.timeline, frames).has_value());
+        QCOMPARE(all->plan().flipbook.columns, 8);
+        QVERIFY(frames.count() >= 64);
+    }
+
     void moreOptionsAreThoseOfTheExportDialog()
     {
         EngineDialog& dialog = openEngine();
@@ -55,7 +72,7 @@ private:
             {{&knownParameter("output.width"), 32}, {&knownParameter("output.height"), 32}}, u"Size"_q);
         const auto* bar = m_window->findChild<QToolBar*>(u"toolBar"_q);
         auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(&m_window->actions().get("file.engine")));
-        QTest::mouseClick(button, Qt::LeftButton);
+        button->click(); // a narrow window may have put it away
         return *m_window->findChild<EngineDialog*>(u"engineDialog"_q);
     }
 };

@@ -5,6 +5,7 @@
 #include "ui/export/export_summary.h"
 #include "ui/export/labelled_form.h"
 #include "ui/export/mock_stage.h"
+#include "ui/export/show_folder.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/export/sheets/flipbook_files.h"
@@ -14,7 +15,6 @@
 
 #include <QClipboard>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDir>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -23,7 +23,6 @@
 #include <QPushButton>
 #include <QShowEvent>
 #include <QStackedWidget>
-#include <QUrl>
 
 namespace fumage::ui {
 
@@ -200,8 +199,7 @@ void EngineDialog::connectParts()
     connect(m_back, &QPushButton::clicked, this, &EngineDialog::showChoice);
     connect(
         m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
-    connect(m_show, &QPushButton::clicked, this,
-        [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(fromPath(m_plan->output.parent_path()))); });
+    connect(m_show, &QPushButton::clicked, this, [this] { showFolderOf(*m_plan); });
     connect(m_copy, &QPushButton::clicked, this,
         [this] { QGuiApplication::clipboard()->setText(QDir::toNativeSeparators(fromPath(m_plan->output))); });
 }

@@ -135,7 +135,7 @@ QStringList engineSteps(const ExportPlan& plan)
                     .arg(QDir::toNativeSeparators(
                         QDir(fromPath(plan.output.parent_path())).filePath(sheet + QStringLiteral(".efkproj")))),
             text(QT_TRANSLATE_NOOP("Engines", "Press Play: the node has the texture, the cells and their speed.")),
-            text(QT_TRANSLATE_NOOP("Engines", "Export it as .efk for your game, with the pictures beside it."))};
+            text(QT_TRANSLATE_NOOP("Engines", "Export it for your game, with the pictures beside it."))};
     default:
         return {text(QT_TRANSLATE_NOOP("Engines", "Take the pictures in %1 into your project.")).arg(folder),
             text(QT_TRANSLATE_NOOP(

@@ -10,6 +10,7 @@
 #include "ui/export/picture_choices.h"
 #include "ui/export/preview_pane.h"
 #include "ui/export/range_row.h"
+#include "ui/export/show_folder.h"
 #include "ui/export/summary_row.h"
 
 #include "core/effect/known_parameter.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -25,7 +25,6 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QUrl>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -172,10 +171,7 @@ void ExportDialog::connectButtons()
     connect(&m_entry, &ExportSubmission::ended, this, &ExportDialog::entryEnded);
     connect(
         m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
-    connect(m_show, &QPushButton::clicked, this, [this] {
-        QDesktopServices::openUrl(
-            QUrl::fromLocalFile(fromPath(m_progress->followed()->job->plan.output.parent_path())));
-    });
+    connect(m_show, &QPushButton::clicked, this, [this] { showFolderOf(m_progress->followed()->job->plan); });
     connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);
     connect(m_progress, &ExportProgress::fitRequested, this, [this] {
         m_pictures->setFitsCamera(true);
@@ -346,14 +342,18 @@ void ExportDialog::browse()
             .mayReplace = true}));
 }
 
+void ExportDialog::setFrames(const FrameRange& frames)
+{
+    m_range->setFrames(frames);
+}
+
 void ExportDialog::setFile(const QString& path)
 {
-    if (path.isEmpty()) {
-        return;
+    if (!path.isEmpty()) {
+        m_pathIsSuggested = false;
+        m_path->setText(path);
+        takePath(path);
     }
-    m_pathIsSuggested = false;
-    m_path->setText(path);
-    takePath(path);
 }
 
 void ExportDialog::showEvent(QShowEvent* event)

@@ -45,6 +45,7 @@ public:
         AskForChoice askForChoice, QWidget* parent);
 
     [[nodiscard]] ExportPlan plan() const;
+    void setFrames(const FrameRange& frames);
     /// Names the file, as a person would. @param path empty: it stays what it is
     void setFile(const QString& path);
     void setKind(ExportKind kind) { m_kind->setCurrentIndex(static_cast<int>(kind)); }

@@ -2,12 +2,11 @@
 
 #include "ui/document/text.h"
 #include "ui/export/queue_delegate.h"
+#include "ui/export/show_folder.h"
 #include "ui/theme/icons.h"
 
 #include <QAction>
 #include <QContextMenuEvent>
-#include <QDesktopServices>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -15,7 +14,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
-#include <QUrl>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -144,7 +142,7 @@ void QueuePanel::cancelOrRemove(int row)
 
 void QueuePanel::showInFolder(int row) const
 {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(fromPath(m_queue.at(row).job->plan.output)).path()));
+    showFolderOf(m_queue.at(row).job->plan);
 }
 
 void QueuePanel::saveList()

@@ -93,20 +93,7 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     constexpr QSize kUsual(984, 720); // five pictures side by side
     resize(kUsual);
 
-    connect(m_list, &PresetList::chosen, this, &StartDialog::choose);
-    connect(m_list, &PresetList::presetRead, this, [this](const QString& id) {
-        if (id == kBest) {
-            const QListWidgetItem* item = m_list->itemOfId(id);
-            m_card->setPreset(*m_list->presetOf(item), item->text(), m_list->descriptionOf(item));
-        }
-    });
-    connect(m_card, &SceneCard::clicked, this, [this] {
-        if (const Preset* preset = m_card->preset()) {
-            choose(Preset(*preset)); // a copy: the card may go
-        }
-    });
-    // One click is enough here: there is nothing else that one could want of a picture.
-    connect(m_list, &QListWidget::itemClicked, m_list, &QListWidget::itemActivated);
+    connectScenes();
     connect(files, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
         if ((item->flags() & Qt::ItemIsEnabled) == 0) {
             return; // it is a word in place of files
@@ -123,6 +110,24 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
         accept();
         emit defaultRequested();
     });
+}
+
+void StartDialog::connectScenes()
+{
+    connect(m_list, &PresetList::chosen, this, &StartDialog::choose);
+    connect(m_list, &PresetList::presetRead, this, [this](const QString& id) {
+        if (id == kBest) {
+            const QListWidgetItem* item = m_list->itemOfId(id);
+            m_card->setPreset(*m_list->presetOf(item), item->text(), m_list->descriptionOf(item));
+        }
+    });
+    connect(m_card, &SceneCard::clicked, this, [this] {
+        if (const Preset* preset = m_card->preset()) {
+            choose(Preset(*preset)); // a copy: the card may go
+        }
+    });
+    // One click is enough here: there is nothing else that one could want of a picture.
+    connect(m_list, &QListWidget::itemClicked, m_list, &QListWidget::itemActivated);
 }
 
 void StartDialog::choose(const Preset& preset)

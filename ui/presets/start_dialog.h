@@ -29,6 +29,7 @@ signals:
     void defaultRequested();
 
 private:
+    void connectScenes();
     void choose(const Preset& preset);
 
     PresetList* m_list;

@@ -151,6 +151,7 @@ void ExportController::showOptions(const ExportPlan& plan)
     first.project = plan.project;
     all.insert(all.begin(), first);
     dialog.take(all);
+    dialog.setFrames(plan.frames);
     dialog.setFile(fromPath(plan.output));
     m_engine->close();
 }

@@ -183,7 +183,7 @@ Result<int> readGrid(const Description& description, std::int64_t mostPixels, Sh
         std::int64_t{columns.value()} * width.value() * (std::int64_t{rows.value()} * height.value());
     if (pixels > mostPixels) {
         return Error{ErrorCode::TooLarge,
-            makeMessage("the sheet has %1 × %2 pixels, which is more than can be played here",
+            makeMessage("the sheet has %1 x %2 pixels, which is more than can be played here",
                 columns.value() * width.value(), rows.value() * height.value()),
             {}, {}};
     }
