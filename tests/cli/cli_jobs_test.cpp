@@ -46,7 +46,8 @@ private slots:
             R"({"name": "nowhere", "output": "/proc/nowhere/b.png", "kind": "picture", $small},)"
             R"({"name": "large", "output": "large.exr", "kind": "picture", $large},)"
             R"({"name": "itself", "output": "c.png", "kind": "picture", "source": "c.png", $small},)"
-            R"({"name": "book", "output": "d.png", "kind": "flipbook", "columns": 2, "rows": 1, "frames": "0-3", $small})");
+            R"({"name": "book", "output": "d.png", "kind": "flipbook", )"
+            R"("columns": 2, "rows": 1, "frames": "0-3", $small})");
         QVERIFY(QFile::copy(folder.filePath("mine.json"), folder.filePath("c.png")));
         // A limit on the size of files fails as a full disk does.
         QVERIFY(list == folder.filePath("list.json"));
@@ -88,7 +89,8 @@ private slots:
         preset.scene.output.width = preset.scene.output.height = 32;
         QVERIFY(writePresetFile(folder.filePath("deep/my.json").toStdString(), preset).ok());
         const std::string list =
-            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"name": "A", "preset": "missing.json", "kind": "picture", "output": "a.png"},
+            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"name": "A", )"
+            R"("preset": "missing.json", "kind": "picture", "output": "a.png"},
             {"name": "B", "preset": "my.json", "kind": "picture", "frames": "5", "output": "out/b.png"},
             {"name": "C", "preset": "my.json", "frames": "5-6", "output": "jj_%04d.png"}]})";
         QVERIFY(writeFileAtomically(folder.filePath("deep/jobs.json").toStdString(), list).ok());
@@ -122,7 +124,8 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString list = writeList(folder,
-            R"({"name": "one", "output": "a.png", "kind": "picture", $small}, {"name": "two", "output": "./a.png", "kind": "flipbook", "columns": 1, "rows": 1, $small})");
+            R"({"name": "one", "output": "a.png", "kind": "picture", $small}, )"
+            R"({"name": "two", "output": "./a.png", "kind": "flipbook", "columns": 1, "rows": 1, $small})");
         const Outcome outcome = runIn(folder, {"render", "--jobs", list});
         QCOMPARE(outcome.code, 3);
         QVERIFY2(outcome.error.contains("\"two\" would write over a file of \"one\""), outcome.error.constData());

@@ -192,7 +192,8 @@ private slots:
     void jobsTakeWhatThePictureShows()
     {
         const std::string list =
-            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"preset": "one.png", "output": "out/a.png"}, {"preset": "one.exr", "output": "out/b.png", "kind": "picture"},
+            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"preset": "one.png", "output": "out/a.png"}, )"
+            R"({"preset": "one.exr", "output": "out/b.png", "kind": "picture"},
             {"preset": "one.png", "output": "out/c_##.csv", "kind": "particles"},
             {"preset": "sheet.png", "output": "out/d.png", "kind": "flipbook"}]})";
         QVERIFY(writeFileAtomically(m_folder->filePath("list.json").toStdString(), list).ok());
