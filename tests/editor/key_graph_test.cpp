@@ -103,6 +103,50 @@ private slots:
         QVERIFY(!settings.showsGraph());
     }
 
+    void theGraphIsDraggedToAHeightThatIsRemembered()
+    {
+        setTracks({trackOf(kRate, {{0.0, 0.0F}, {1.0, 1.0F}})});
+        QWidget window;
+        const ActionSet actions(&window);
+        Settings settings;
+        settings.setShowsGraph(true);
+        connectGraphAction(actions, *m_bar, settings);
+        auto* grip = m_bar->findChild<GraphGrip*>(u"graphGrip"_q);
+        QVERIFY(grip->isVisible());
+        const QPoint from = grip->rect().center();
+        const auto drag = [&](int way) { // in one move: the grip may go with it
+            QTest::mousePress(grip, Qt::LeftButton, {}, from);
+            const QPoint to = from + QPoint(0, way);
+            QMouseEvent event(QEvent::MouseMove, to, grip->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(grip, &event);
+            QTest::mouseRelease(grip, Qt::LeftButton, {}, to);
+        };
+        drag(-40);
+        QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight + 40);
+        QCOMPARE(graph().maximumHeight(), KeyGraph::kHeight + 40);
+        QCOMPARE(settings.graphHeight(0), KeyGraph::kHeight + 40);
+        TimelineBar next(*m_document, *m_player);
+        const ActionSet others(&window);
+        connectGraphAction(others, next, settings);
+        QCOMPARE(next.graphHeight(), KeyGraph::kHeight + 40);
+        QMouseEvent idle(QEvent::MouseMove, from, grip->mapToGlobal(from + QPoint(0, 30)), Qt::NoButton, {}, {});
+        QApplication::sendEvent(grip, &idle); // nobody holds it
+        QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight + 40);
+        drag(2000);
+        QCOMPARE(m_bar->graphHeight(), KeyGraph::kMinHeight);
+        drag(-2000);
+        QCOMPARE(m_bar->graphHeight(), KeyGraph::kMaxHeight);
+        QTest::mouseDClick(grip, Qt::LeftButton, {}, from);
+        QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight);
+        settings.setGraphHeight(-7); // of a file
+        connectGraphAction(others, next, settings);
+        QCOMPARE(next.graphHeight(), KeyGraph::kMinHeight);
+        settings.setGraphHeight(KeyGraph::kHeight);
+        settings.setShowsGraph(false);
+        m_bar->setShowsGraph(false);
+        QVERIFY(!grip->isVisible());
+    }
+
     void aDragChangesTimeAndValueInOneStep()
     {
         setTracks({trackOf(kEmission, {{0.0, 1.0F}, {1.0, 2.0F}, {2.0, 1.0F}})});

@@ -72,7 +72,9 @@ void connectGraphAction(const ActionSet& actions, TimelineBar& timeline, Setting
     QObject::connect(&action, &QAction::toggled, &timeline, &TimelineBar::setShowsGraph);
     QObject::connect(&timeline, &TimelineBar::graphToggled, &action, &QAction::setChecked);
     QObject::connect(&timeline, &TimelineBar::graphToggled, &settings, &Settings::setShowsGraph);
+    QObject::connect(&timeline, &TimelineBar::graphHeightChanged, &settings, &Settings::setGraphHeight);
     timeline.setShowsGraph(settings.showsGraph());
+    timeline.setGraphHeight(settings.graphHeight(timeline.graphHeight()));
 }
 
 } // namespace fumage::ui

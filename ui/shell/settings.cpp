@@ -20,6 +20,7 @@ const QString kNavigation = QStringLiteral("viewport/navigation");
 const QString kTour = QStringLiteral("start/tour");
 const QString kStart = QStringLiteral("start/shown");
 const QString kGraph = QStringLiteral("timeline/graph");
+const QString kGraphHeight = QStringLiteral("timeline/graphHeight");
 const QString kOpenGl = QStringLiteral("viewport/opengl");
 const QString kPictures = QStringLiteral("viewport/megabytes");
 const QString kCache = QStringLiteral("cache/megabytes");
@@ -151,6 +152,16 @@ bool Settings::showsGraph() const
 void Settings::setShowsGraph(bool shows)
 {
     m_settings.setValue(kGraph, shows);
+}
+
+int Settings::graphHeight(int usual) const
+{
+    return m_settings.value(kGraphHeight, usual).toInt();
+}
+
+void Settings::setGraphHeight(int height)
+{
+    m_settings.setValue(kGraphHeight, height);
 }
 
 bool Settings::isFirstUse() const

@@ -45,6 +45,10 @@ public:
     /// Whether the timeline shows the graph of key frames.
     [[nodiscard]] bool showsGraph() const;
     void setShowsGraph(bool shows);
+    /// How high that graph is, pixels; any number that a file may hold.
+    /// @param usual where nobody has dragged it
+    [[nodiscard]] int graphHeight(int usual) const;
+    void setGraphHeight(int height);
     /// Whether this is the first time that the program is used here, and the tour has not come yet.
     [[nodiscard]] bool isFirstUse() const;
     void setTourSeen();

@@ -41,7 +41,9 @@ public:
     /// Fits the axis to the curves.
     void frameAll();
 
-    static constexpr int kHeight = 160; ///< pixels
+    static constexpr int kHeight = 160; ///< pixels, where nobody has chosen another
+    static constexpr int kMinHeight = 80;
+    static constexpr int kMaxHeight = 400;
     QSize sizeHint() const override { return {400, kHeight}; }
 
 protected:

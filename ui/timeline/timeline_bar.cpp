@@ -47,6 +47,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     , m_keys(new KeySelection(document, this))
     , m_lanes(new KeyLanes(document, player, *m_ruler, *m_keys, this))
     , m_lanesView(new QScrollArea(this))
+    , m_grip(new GraphGrip(this))
     , m_graph(new KeyGraph(document, player, *m_ruler, *m_keys, this))
     , m_frame(new WholeBox(this))
     , m_time(new QLabel(this))
@@ -82,9 +83,33 @@ void TimelineBar::addLanes(QVBoxLayout& layout)
     m_lanesView->setWidgetResizable(true);
     m_lanesView->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout.addWidget(m_lanesView);
+    layout.addWidget(m_grip);
     layout.addWidget(m_graph);
     connect(m_lanes, &KeyLanes::heightChanged, this, &TimelineBar::showLanes);
+    connectGrip();
     showLanes();
+}
+
+void TimelineBar::connectGrip()
+{
+    connect(m_grip, &GraphGrip::pressed, this, [this] { m_pressedHeight = graphHeight(); });
+    connect(m_grip, &GraphGrip::dragged, this, [this](int way) { setGraphHeight(m_pressedHeight - way); });
+    connect(m_grip, &GraphGrip::doubleClicked, this, [this] { setGraphHeight(KeyGraph::kHeight); });
+}
+
+int TimelineBar::graphHeight() const
+{
+    return m_graph->maximumHeight(); // it is a fixed one
+}
+
+void TimelineBar::setGraphHeight(int height)
+{
+    const int inside = std::clamp(height, KeyGraph::kMinHeight, KeyGraph::kMaxHeight);
+    if (inside != graphHeight()) {
+        m_graph->setFixedHeight(inside);
+        updateGeometry();
+        emit graphHeightChanged(inside);
+    }
 }
 
 void TimelineBar::showLanes()
@@ -96,6 +121,7 @@ void TimelineBar::showLanes()
     m_lanesView->setFixedHeight(std::min(height, shown * KeyLanes::kLaneHeight));
     m_lanesView->setVisible(height > 0);
     m_lanes->setMarksShown(m_showsGraph);
+    m_grip->setVisible(height > 0 && m_showsGraph);
     m_graph->setVisible(height > 0 && m_showsGraph);
     updateGeometry();
 }

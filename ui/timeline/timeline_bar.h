@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/timeline/emission_strip.h"
+#include "ui/timeline/graph_grip.h"
 #include "ui/timeline/key_graph.h"
 #include "ui/timeline/key_lanes.h"
 #include "ui/timeline/marker_lane.h"
@@ -41,11 +42,16 @@ public:
     /// Whether the graph is shown, as soon as something changes over time.
     [[nodiscard]] bool showsGraph() const { return m_showsGraph; }
     void setShowsGraph(bool shows);
+    /// How high the graph is where it is shown, pixels.
+    [[nodiscard]] int graphHeight() const;
+    /// @param height that is brought into KeyGraph::kMinHeight to KeyGraph::kMaxHeight
+    void setGraphHeight(int height);
 
     QSize minimumSizeHint() const override;
 
 signals:
     void graphToggled(bool shows);
+    void graphHeightChanged(int height);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -55,6 +61,7 @@ private:
     /// What goes on a narrow screen, the first of them first.
     [[nodiscard]] std::array<QWidget*, 6> dispensable() const;
     void addLanes(QVBoxLayout& layout);
+    void connectGrip();
     void showLanes();
     void addButtons(QHBoxLayout& controls);
     void addFrameAndTime(QHBoxLayout& controls);
@@ -79,7 +86,9 @@ private:
     KeySelection* m_keys; ///< of lanes and graph
     KeyLanes* m_lanes;
     QScrollArea* m_lanesView; ///< shows a few of them, and scrolls
+    GraphGrip* m_grip; ///< over the graph
     KeyGraph* m_graph;
+    int m_pressedHeight = 0; ///< of the graph, when the grip was pressed
     bool m_showsGraph = false;
     QToolButton* m_play;
     QToolButton* m_repeat;
