@@ -29,7 +29,9 @@ LEAST_LIT = 35.0
 LEAST_GLOWING = 32.0
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
-LITERAL = re.compile(rf'(?:{NUMBER}|true|false|"(?:[^"\\]|\\.)*"|(?:Vector[234]|Color|AABB|Transform3D|PackedFloat32Array|PackedColorArray)\({NUMBER}(?:, {NUMBER})*\)|(?:Ext|Sub)Resource\("[^"]*"\))')
+TEXT = r'&?"(?:[^"\\]|\\.)*"' # over several lines, too
+TYPES = {"Vector2", "Vector3", "Vector4", "Color", "AABB", "Transform3D", "PackedFloat32Array", "PackedColorArray", "NodePath", "ExtResource", "SubResource"}
+TOKEN = re.compile(rf'\s*(?:({NUMBER}|true|false|null|{TEXT})|([A-Za-z]\w*)\(|([\[\]{{}}(),:]))', re.DOTALL)
 HEADING = re.compile(r'\[(\w+)((?: \w+=(?:"(?:[^"\\]|\\.)*"|\w+|ExtResource\("[^"]*"\)))*)\]')
 ATTRIBUTE = re.compile(r'(\w+)=("(?:[^"\\]|\\.)*"|\w+)')
 HINTS = {"source_color", "filter_linear_mipmap", "filter_linear", "repeat_disable", "hint_range"}
@@ -44,10 +46,46 @@ BUILT_INS = {
 }
 
 
+def value_at(text, at):
+    """Where a value of Godot's text format ends: a number, a text, a list, a dictionary, or a type with its parts. Nothing: there is none."""
+    token = TOKEN.match(text, at)
+    if not token:
+        return None
+    if token[1]:
+        return token.end()
+    close = {"[": "]", "{": "}"}.get(token[3]) or (")" if token[2] in TYPES else None)
+    at = token.end()
+    while close:
+        token = TOKEN.match(text, at)
+        if token and token[3] == close:
+            return token.end()
+        at = value_at(text, at)
+        if close == "}" and at:
+            colon = TOKEN.match(text, at)
+            at = value_at(text, colon.end()) if colon and colon[3] == ":" else None
+        token = TOKEN.match(text, at) if at else None
+        if not token or token[3] not in (",", close):
+            return None
+        at = token.end() if token[3] == "," else at
+    return None
+
+
+def lines_of(text):
+    """Lines, of which a value that goes over several is one, with their numbers."""
+    at = 0
+    while at < len(text):
+        end = text.index("\n", at)
+        equals = text.find(" = ", at, end)
+        value = value_at(text, equals + 3) if equals >= 0 and text[at] != "[" else None
+        end = max(end, value or end)
+        yield text.count("\n", 0, at) + 1, text[at:end]
+        at = end + 1
+
+
 def check_scene(text, folder, uniforms):
     declared, needed, steps = {}, None, 0
     section = None
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in lines_of(text):
         where = f"line {number}: {line}"
         if not line.strip():
             continue
@@ -70,7 +108,7 @@ def check_scene(text, folder, uniforms):
             continue
         name, equals, value = line.partition(" = ")
         assert equals and section in ("sub_resource", "node") and re.fullmatch(r"[\w/]+", name), where
-        assert LITERAL.fullmatch(value), where
+        assert value_at(value, 0) == len(value), where
         for kind, key in re.findall(r'(Ext|Sub)Resource\("([^"]*)"\)', value):
             assert (kind, key) in declared, where
         if name.startswith("shader_parameter/"):
@@ -100,14 +138,17 @@ def as_glsl(text, stage):
     return f"#version 300 es\nprecision highp float;\n{GLOBAL}\n{BUILT_INS[stage]}\nout vec4 result;\n{text}\nvoid main() {{ {stage}(); result = vec4(0.0); }}\n"
 
 
-def read_by_grammar(cli, passes, preset="thesis-2012"):
+def read_by_grammar(cli, passes, preset="thesis-2012", markers=()):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([cli, "--quiet", "flipbook", preset, "--for", "godot", "--passes", ",".join(passes), "--size", "32", "--grid", "2x2", "--set", "output.quality=draft",
-            "--output", folder / "smoke's_2x2.png"], check=True)
+            *(word for i, name in enumerate(markers) for word in ("--marker", f"{name}={0.1 * i + 0.1:.1f}")), "--output", folder / "smoke's_2x2.png"], check=True)
         shader = next(folder.glob("*.gdshader")).read_text()
         uniforms = set(re.findall(r"^uniform \w+ (\w+)", shader, re.MULTILINE))
-        resources = check_scene(next(folder.glob("*.tscn")).read_text(), folder, uniforms)
+        scene = next(folder.glob("*.tscn")).read_text()
+        resources = check_scene(scene, folder, uniforms)
+        called = [json.loads(name) for name in re.findall(r'"args": \[("(?:[^"\\]|\\.)*")\]', scene)]
+        assert called == list(markers), called
         stages = [stage for stage in BUILT_INS if f"void {stage}()" in shader]
         for stage in stages if shutil.which("glslangValidator") else []:
             file = folder / f"{stage}.frag"
@@ -228,6 +269,7 @@ def main():
     for passes in (["colour"], ["colour", "motion"], ["colour", "motion", "six-way"]):
         read_by_grammar(cli, passes)
     read_by_grammar(cli, ["colour", "six-way"], "campfire")
+    read_by_grammar(cli, ["colour"], markers=['Boom "q" \\ é', "{{x}}: [}", "&a"])
     with tempfile.TemporaryDirectory() as name:
         godot = Godot(name)
         good = [check_layers(godot, cli, name), check_blending(godot, cli, name, "explosion"), check_light(godot, cli, name, "steam"), check_glow(godot, cli, name, "campfire"), check_glow(godot, cli, name, "magic")]
