@@ -113,19 +113,31 @@ void MockStage::paintGround(QPainter& painter, int horizon) const
     ground.setColorAt(1.0, QColor::fromRgb(colours.ground));
     painter.fillRect(QRect(0, horizon, width(), height() - horizon), ground);
 
-    painter.setPen(QColor::fromRgb(colours.line));
-    constexpr int kLines = 12; // to each side, as many spaces apart below as they meet at the horizon
+    paintGrid(painter, horizon, QColor::fromRgb(colours.line));
+}
+
+/// Lines at equal distances on the ground, which the haze hides before they lie too close.
+void MockStage::paintGrid(QPainter& painter, int horizon, const QColor& colour) const
+{
+    constexpr double kHidden = 0.06; // share of the ground
+    constexpr double kClear = 0.4;
+    QColor hidden = colour;
+    hidden.setAlpha(0);
+    QLinearGradient haze(0, horizon, 0, height());
+    haze.setColorAt(kHidden, hidden);
+    haze.setColorAt(kClear, colour);
+    painter.setPen(QPen(QBrush(haze), 1.0));
+    constexpr int kAcross = 60; // to each side
+    constexpr int kDeep = 16;
     const double middle = width() / 2.0;
-    const double apart = width() / 4.0;
-    painter.setClipRect(QRect(0, horizon + 1, width(), height() - horizon));
-    for (int i = -kLines; i <= kLines; ++i) {
+    const double apart = width() / 4.0; // in front
+    for (int i = -kAcross; i <= kAcross; ++i) {
         painter.drawLine(QPointF(middle, horizon), QPointF(middle + i * apart, height()));
     }
-    for (int i = 1; i <= kLines; ++i) { // at equal distances on the ground: their heights go as 1 / distance
+    for (int i = 1; i <= kDeep; ++i) { // their heights go as 1 / distance
         const double y = horizon + (height() - horizon) / static_cast<double>(i);
         painter.drawLine(QPointF(0, y), QPointF(width(), y));
     }
-    painter.setClipping(false);
 }
 
 void MockStage::paintSmoke(QPainter& painter, int horizon) const

@@ -43,6 +43,7 @@ private:
     void wake();
     void step();
     void paintGround(QPainter& painter, int horizon) const;
+    void paintGrid(QPainter& painter, int horizon, const QColor& colour) const;
     void paintSmoke(QPainter& painter, int horizon) const;
 
     Sky m_sky = Sky::Day;
