@@ -351,6 +351,10 @@
         <source>&amp;Tour</source>
         <translation>&amp;Rundtur</translation>
     </message>
+    <message>
+        <source>&amp;Into my engine…</source>
+        <translation>&amp;Till min spelmotor…</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -761,6 +765,188 @@
     <message>
         <source>Emission of %1</source>
         <translation>Emission för %1</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::EngineDialog</name>
+    <message>
+        <source>Another engine</source>
+        <translation>En annan spelmotor</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Visa i mappen</translation>
+    </message>
+    <message>
+        <source>Copy the path</source>
+        <translation>Kopiera sökvägen</translation>
+    </message>
+    <message>
+        <source>Into my engine</source>
+        <translation>Till min spelmotor</translation>
+    </message>
+    <message>
+        <source>Choose an engine: a sheet with all that it needs is written, with the settings that suit it.</source>
+        <translation>Välj en spelmotor: ett ark med allt som den behöver skrivs, med de inställningar som passar den.</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Mapp</translation>
+    </message>
+    <message>
+        <source>Size of the sheet</source>
+        <translation>Arkets storlek</translation>
+    </message>
+    <message>
+        <source>%1 pixels at most</source>
+        <translation>högst %1 pixlar</translation>
+    </message>
+    <message>
+        <source>The longer side of the sheet. Cells of the document that are larger are made smaller</source>
+        <translation>Arkets längre sida. Celler i dokumentet som är större görs mindre</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Välj…</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Ark</translation>
+    </message>
+    <message>
+        <source>Export for %1</source>
+        <translation>Exportera för %1</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Dag</translation>
+    </message>
+    <message>
+        <source>Evening</source>
+        <translation>Kväll</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>Natt</translation>
+    </message>
+    <message>
+        <source>More options…</source>
+        <translation>Fler alternativ…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Folder for the engine</source>
+        <translation>Mapp för spelmotorn</translation>
+    </message>
+    <message>
+        <source>Size of cells</source>
+        <translation>Cellernas storlek</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <translation>%1 för %2</translation>
+    </message>
+    <message>
+        <source>The sheet is being rendered…</source>
+        <translation>Arket renderas…</translation>
+    </message>
+    <message>
+        <source>The sheet is being read…</source>
+        <translation>Arket läses…</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Engines</name>
+    <message>
+        <source>Any engine</source>
+        <translation>Valfri motor</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Webbsida</translation>
+    </message>
+    <message>
+        <source>Put the folder %1 into Assets of your project, if it is not there.</source>
+        <translation>Lägg mappen %1 i Assets i ditt projekt, om den inte är där.</translation>
+    </message>
+    <message>
+        <source>Let Unity import it: the script in the folder Editor gives each texture its settings.</source>
+        <translation>Låt Unity importera den: skriptet i mappen Editor ger varje textur dess inställningar.</translation>
+    </message>
+    <message>
+        <source>Choose Assets, Fumage, %1: it makes a particle system that plays the sheet, and a prefab of it.</source>
+        <translation>Välj Assets, Fumage, %1: det gör ett partikelsystem som spelar arket, och en prefab av det.</translation>
+    </message>
+    <message>
+        <source>In Unreal switch on the Python Editor Script Plugin.</source>
+        <translation>Slå på Python Editor Script Plugin i Unreal.</translation>
+    </message>
+    <message>
+        <source>Choose Tools, Execute Python Script, and the script in %1: the textures are then in /Game/Fumage, with the right settings.</source>
+        <translation>Välj Tools, Execute Python Script, och skriptet i %1: texturerna ligger då i /Game/Fumage, med rätt inställningar.</translation>
+    </message>
+    <message>
+        <source>Use FlipBook_MotionVectors in a material, with the numbers that the log says, and the material in a Niagara sprite emitter.</source>
+        <translation>Använd FlipBook_MotionVectors i ett material, med talen som loggen anger, och materialet i en Niagara-emitter med sprites.</translation>
+    </message>
+    <message>
+        <source>Put the folder %1 into your project, if it is not there.</source>
+        <translation>Lägg mappen %1 i ditt projekt, om den inte är där.</translation>
+    </message>
+    <message>
+        <source>Let Godot import the textures: the .import files beside them say how.</source>
+        <translation>Låt Godot importera texturerna: .import-filerna bredvid dem säger hur.</translation>
+    </message>
+    <message>
+        <source>Drag the scene %1 into yours. Its shader blends the cells.</source>
+        <translation>Dra scenen %1 till din. Dess shader blandar cellerna.</translation>
+    </message>
+    <message>
+        <source>Open %1 in a browser: it plays the sheet by itself.</source>
+        <translation>Öppna %1 i en webbläsare: den spelar arket av sig själv.</translation>
+    </message>
+    <message>
+        <source>Put the file on your server: the pictures are in it.</source>
+        <translation>Lägg filen på din server: bilderna finns i den.</translation>
+    </message>
+    <message>
+        <source>Show it in an iframe, or copy its script into your page.</source>
+        <translation>Visa den i en iframe, eller kopiera dess skript till din sida.</translation>
+    </message>
+    <message>
+        <source>Open %1 in Effekseer.</source>
+        <translation>Öppna %1 i Effekseer.</translation>
+    </message>
+    <message>
+        <source>Press Play: the node has the texture, the cells and their speed.</source>
+        <translation>Tryck på Play: noden har texturen, cellerna och deras hastighet.</translation>
+    </message>
+    <message>
+        <source>Export it for your game, with the pictures beside it.</source>
+        <translation>Exportera det för ditt spel, med bilderna bredvid.</translation>
+    </message>
+    <message>
+        <source>Take the pictures in %1 into your project.</source>
+        <translation>Ta in bilderna i %1 i ditt projekt.</translation>
+    </message>
+    <message>
+        <source>Import the colours as sRGB, and light maps and motion vectors as numbers, not colours.</source>
+        <translation>Importera färgerna som sRGB, och ljuskartor och rörelsevektorer som tal, inte färger.</translation>
+    </message>
+    <message>
+        <source>Play the cells as %1 says.</source>
+        <translation>Spela cellerna som %1 säger.</translation>
     </message>
 </context>
 <context>
@@ -1449,6 +1635,17 @@
     <message>
         <source>blue</source>
         <translation>blått</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::GraphGrip</name>
+    <message>
+        <source>Height of the graph</source>
+        <translation>Kurvornas höjd</translation>
+    </message>
+    <message>
+        <source>Drag for a higher graph; a double-click gives it its usual height</source>
+        <translation>Dra för högre kurvor; ett dubbelklick ger dem deras vanliga höjd</translation>
     </message>
 </context>
 <context>
@@ -3425,7 +3622,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
     <message>
         <source>Choose a PNG of at most %1 pixels an edge and %2 bytes</source>
-        <translation>Välj en PNG med högst %1 bildpunkter per kant och %2 byte</translation>
+        <translation>Välj en PNG med högst %1 pixlar per kant och %2 byte</translation>
     </message>
     <message>
         <source>a PNG in base64</source>
@@ -3592,10 +3789,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>väntade ett av %1</translation>
     </message>
     <message>
-        <source>a free key frame has two slopes, and no other has any</source>
-        <translation>en fri nyckelbildruta har två lutningar, och ingen annan har någon</translation>
-    </message>
-    <message>
         <source>a slope is a number, or a list of three</source>
         <translation>en lutning är ett tal, eller en lista av tre</translation>
     </message>
@@ -3718,6 +3911,53 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Write NAME=SECONDS, with ; between several times, or NAME= to take them out</source>
         <translation>Skriv NAMN=SEKUNDER, med ; mellan flera tider, eller NAMN= för att ta bort dem</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number from 1 to %2</source>
+        <translation>%1 är inget heltal från 1 till %2</translation>
+    </message>
+    <message>
+        <source>cells_per_second is no number above 0, %1 at most</source>
+        <translation>cells_per_second är inget tal över 0, högst %1</translation>
+    </message>
+    <message>
+        <source>a picture has no name of a file beside it</source>
+        <translation>en bild har inget namn på en fil bredvid</translation>
+    </message>
+    <message>
+        <source>Export the flipbook anew</source>
+        <translation>Exportera flipbooken på nytt</translation>
+    </message>
+    <message>
+        <source>the picture has another size than its description says</source>
+        <translation>bilden har en annan storlek än beskrivningen anger</translation>
+    </message>
+    <message>
+        <source>the sheet has %1 x %2 pixels, which is more than can be played here</source>
+        <translation>arket har %1 x %2 pixlar, vilket är mer än vad som kan spelas här</translation>
+    </message>
+    <message>
+        <source>the flipbook has no picture of its colours</source>
+        <translation>flipbooken saknar bild av sina färger</translation>
+    </message>
+    <message>
+        <source>the motion vectors have no scale</source>
+        <translation>rörelsevektorerna saknar skala</translation>
+    </message>
+    <message>
+        <source>this is no description of a flipbook</source>
+        <translation>detta är ingen beskrivning av en flipbook</translation>
+    </message>
+    <message>
+        <source>a free key frame has two slopes, a linear or held one may have that before it, and a smooth one has none</source>
+        <translation>en fri nyckelbildruta har två lutningar, en linjär eller hållen kan ha den före sig, och en mjuk har ingen</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MockStage</name>
+    <message>
+        <source>The sheet as it plays in an engine</source>
+        <translation>Arket som det spelas i en spelmotor</translation>
     </message>
 </context>
 <context>
@@ -5778,6 +6018,42 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>A copy of unsaved work is kept a second after each change, and is opened again should the program end unexpectedly: %1</source>
         <translation>En kopia av osparat arbete sparas en sekund efter varje ändring och öppnas igen om programmet skulle ta slut oväntat: %1</translation>
     </message>
+    <message>
+        <source>Threads</source>
+        <translation>Trådar</translation>
+    </message>
+    <message>
+        <source>All (%1)</source>
+        <translation>Alla (%1)</translation>
+    </message>
+    <message>
+        <source>Fewer leave more of the processor to other programs. Results are the same.</source>
+        <translation>Färre lämnar mer av processorn till andra program. Resultaten är desamma.</translation>
+    </message>
+    <message>
+        <source>Thumbnails on the disk</source>
+        <translation>Miniatyrer på disken</translation>
+    </message>
+    <message>
+        <source> MB at most</source>
+        <translation> MB högst</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Rensa</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 nu</translation>
+    </message>
+    <message>
+        <source>Play thumbnails under the pointer</source>
+        <translation>Spela miniatyrer under pekaren</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Rörelse</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PresetBrowser</name>
@@ -6028,10 +6304,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Sprängning</translation>
     </message>
     <message>
-        <source>A fireball that throws out debris, which trails smoke, and sparks that bounce.</source>
-        <translation>Ett eldklot som kastar ut spillror, som drar rök efter sig, och gnistor som studsar.</translation>
-    </message>
-    <message>
         <source>Bonfire</source>
         <translation>Majbrasa</translation>
     </message>
@@ -6150,6 +6422,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>The spiral of Magic, with glitter that is born on its smoke.</source>
         <translation>Spiralen ur Magi, med glitter som föds på dess rök.</translation>
+    </message>
+    <message>
+        <source>A fireball over a ring of dust, which throws out debris that trails smoke, and sparks that bounce.</source>
+        <translation>Ett eldklot över en ring av damm, som kastar ut bråte som drar rök efter sig, och gnistor som studsar.</translation>
     </message>
 </context>
 <context>
@@ -6573,12 +6849,12 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Standardröken</translation>
     </message>
     <message>
-        <source>Presets</source>
-        <translation>Förinställningar</translation>
-    </message>
-    <message>
         <source>Files that you open or save will be here</source>
         <translation>Filer som du öppnar eller sparar kommer att finnas här</translation>
+    </message>
+    <message>
+        <source>Scenes and presets</source>
+        <translation>Scener och förinställningar</translation>
     </message>
 </context>
 <context>

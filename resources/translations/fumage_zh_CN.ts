@@ -351,6 +351,10 @@
         <source>&amp;Tour</source>
         <translation>导览(&amp;T)</translation>
     </message>
+    <message>
+        <source>&amp;Into my engine…</source>
+        <translation>导入我的引擎(&amp;I)…</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -761,6 +765,188 @@
     <message>
         <source>Emission of %1</source>
         <translation>%1的发射</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::EngineDialog</name>
+    <message>
+        <source>Another engine</source>
+        <translation>其他引擎</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>在文件夹中显示</translation>
+    </message>
+    <message>
+        <source>Copy the path</source>
+        <translation>复制路径</translation>
+    </message>
+    <message>
+        <source>Into my engine</source>
+        <translation>导入我的引擎</translation>
+    </message>
+    <message>
+        <source>Choose an engine: a sheet with all that it needs is written, with the settings that suit it.</source>
+        <translation>选择引擎：将以适合它的设置写出序列图及其所需的一切。</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Size of the sheet</source>
+        <translation>序列图大小</translation>
+    </message>
+    <message>
+        <source>%1 pixels at most</source>
+        <translation>最多 %1 像素</translation>
+    </message>
+    <message>
+        <source>The longer side of the sheet. Cells of the document that are larger are made smaller</source>
+        <translation>序列图的长边。文档中更大的单元格会被缩小</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>序列图</translation>
+    </message>
+    <message>
+        <source>Export for %1</source>
+        <translation>为 %1 导出</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>天空</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>白天</translation>
+    </message>
+    <message>
+        <source>Evening</source>
+        <translation>傍晚</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>夜晚</translation>
+    </message>
+    <message>
+        <source>More options…</source>
+        <translation>更多选项…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Folder for the engine</source>
+        <translation>引擎的文件夹</translation>
+    </message>
+    <message>
+        <source>Size of cells</source>
+        <translation>单元格大小</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <translation>%1（用于 %2）</translation>
+    </message>
+    <message>
+        <source>The sheet is being rendered…</source>
+        <translation>正在渲染序列图…</translation>
+    </message>
+    <message>
+        <source>The sheet is being read…</source>
+        <translation>正在读取序列图…</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Engines</name>
+    <message>
+        <source>Any engine</source>
+        <translation>任意引擎</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>网页</translation>
+    </message>
+    <message>
+        <source>Put the folder %1 into Assets of your project, if it is not there.</source>
+        <translation>如果文件夹 %1 还不在那里，把它放进项目的 Assets。</translation>
+    </message>
+    <message>
+        <source>Let Unity import it: the script in the folder Editor gives each texture its settings.</source>
+        <translation>让 Unity 导入：Editor 文件夹中的脚本会为每个纹理设置导入选项。</translation>
+    </message>
+    <message>
+        <source>Choose Assets, Fumage, %1: it makes a particle system that plays the sheet, and a prefab of it.</source>
+        <translation>选择 Assets、Fumage、%1：它会创建播放序列图的粒子系统及其预制件。</translation>
+    </message>
+    <message>
+        <source>In Unreal switch on the Python Editor Script Plugin.</source>
+        <translation>在 Unreal 中启用 Python Editor Script Plugin。</translation>
+    </message>
+    <message>
+        <source>Choose Tools, Execute Python Script, and the script in %1: the textures are then in /Game/Fumage, with the right settings.</source>
+        <translation>选择 Tools、Execute Python Script，再选 %1 中的脚本：纹理随后位于 /Game/Fumage，设置正确。</translation>
+    </message>
+    <message>
+        <source>Use FlipBook_MotionVectors in a material, with the numbers that the log says, and the material in a Niagara sprite emitter.</source>
+        <translation>在材质中使用 FlipBook_MotionVectors 并填入日志给出的数值，再把该材质用于 Niagara 精灵发射器。</translation>
+    </message>
+    <message>
+        <source>Put the folder %1 into your project, if it is not there.</source>
+        <translation>如果文件夹 %1 还不在那里，把它放进你的项目。</translation>
+    </message>
+    <message>
+        <source>Let Godot import the textures: the .import files beside them say how.</source>
+        <translation>让 Godot 导入纹理：旁边的 .import 文件说明了方式。</translation>
+    </message>
+    <message>
+        <source>Drag the scene %1 into yours. Its shader blends the cells.</source>
+        <translation>把场景 %1 拖进你的场景。它的着色器会混合各单元格。</translation>
+    </message>
+    <message>
+        <source>Open %1 in a browser: it plays the sheet by itself.</source>
+        <translation>在浏览器中打开 %1：它会自动播放序列图。</translation>
+    </message>
+    <message>
+        <source>Put the file on your server: the pictures are in it.</source>
+        <translation>把文件放到你的服务器上：图片就在其中。</translation>
+    </message>
+    <message>
+        <source>Show it in an iframe, or copy its script into your page.</source>
+        <translation>用 iframe 显示，或把其中的脚本复制到你的网页。</translation>
+    </message>
+    <message>
+        <source>Open %1 in Effekseer.</source>
+        <translation>在 Effekseer 中打开 %1。</translation>
+    </message>
+    <message>
+        <source>Press Play: the node has the texture, the cells and their speed.</source>
+        <translation>按播放：节点已有纹理、单元格及其速度。</translation>
+    </message>
+    <message>
+        <source>Export it for your game, with the pictures beside it.</source>
+        <translation>为你的游戏导出，并把图片放在旁边。</translation>
+    </message>
+    <message>
+        <source>Take the pictures in %1 into your project.</source>
+        <translation>把 %1 中的图片放进你的项目。</translation>
+    </message>
+    <message>
+        <source>Import the colours as sRGB, and light maps and motion vectors as numbers, not colours.</source>
+        <translation>颜色以 sRGB 导入，光照贴图和运动矢量作为数值而非颜色导入。</translation>
+    </message>
+    <message>
+        <source>Play the cells as %1 says.</source>
+        <translation>按 %1 的说明播放单元格。</translation>
     </message>
 </context>
 <context>
@@ -1449,6 +1635,17 @@
     <message>
         <source>blue</source>
         <translation>蓝</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::GraphGrip</name>
+    <message>
+        <source>Height of the graph</source>
+        <translation>曲线图的高度</translation>
+    </message>
+    <message>
+        <source>Drag for a higher graph; a double-click gives it its usual height</source>
+        <translation>拖动可增高曲线图；双击恢复常用高度</translation>
     </message>
 </context>
 <context>
@@ -3592,10 +3789,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>应为 %1 之一</translation>
     </message>
     <message>
-        <source>a free key frame has two slopes, and no other has any</source>
-        <translation>自由关键帧有两个斜率，其他关键帧没有</translation>
-    </message>
-    <message>
         <source>a slope is a number, or a list of three</source>
         <translation>斜率是一个数字，或三个数字的列表</translation>
     </message>
@@ -3718,6 +3911,53 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Write NAME=SECONDS, with ; between several times, or NAME= to take them out</source>
         <translation>请写 名称=秒数，多个时间用 ; 分隔，或写 名称= 以去掉它们</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number from 1 to %2</source>
+        <translation>%1 不是 1 到 %2 之间的整数</translation>
+    </message>
+    <message>
+        <source>cells_per_second is no number above 0, %1 at most</source>
+        <translation>cells_per_second 不是大于 0 且不超过 %1 的数</translation>
+    </message>
+    <message>
+        <source>a picture has no name of a file beside it</source>
+        <translation>某个图片没有指向旁边文件的名称</translation>
+    </message>
+    <message>
+        <source>Export the flipbook anew</source>
+        <translation>请重新导出序列图</translation>
+    </message>
+    <message>
+        <source>the picture has another size than its description says</source>
+        <translation>图片尺寸与其描述不符</translation>
+    </message>
+    <message>
+        <source>the sheet has %1 x %2 pixels, which is more than can be played here</source>
+        <translation>序列图为 %1 x %2 像素，超出此处可播放的范围</translation>
+    </message>
+    <message>
+        <source>the flipbook has no picture of its colours</source>
+        <translation>序列图缺少颜色图片</translation>
+    </message>
+    <message>
+        <source>the motion vectors have no scale</source>
+        <translation>运动矢量没有比例</translation>
+    </message>
+    <message>
+        <source>this is no description of a flipbook</source>
+        <translation>这不是序列图的描述文件</translation>
+    </message>
+    <message>
+        <source>a free key frame has two slopes, a linear or held one may have that before it, and a smooth one has none</source>
+        <translation>自由关键帧有两个斜率，线性或保持关键帧可有其前的斜率，平滑关键帧没有</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MockStage</name>
+    <message>
+        <source>The sheet as it plays in an engine</source>
+        <translation>序列图在引擎中的播放效果</translation>
     </message>
 </context>
 <context>
@@ -5778,6 +6018,42 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>A copy of unsaved work is kept a second after each change, and is opened again should the program end unexpectedly: %1</source>
         <translation>每次更改一秒后都会保存一份未保存工作的副本，如果程序意外退出，将重新打开：%1</translation>
     </message>
+    <message>
+        <source>Threads</source>
+        <translation>线程</translation>
+    </message>
+    <message>
+        <source>All (%1)</source>
+        <translation>全部 (%1)</translation>
+    </message>
+    <message>
+        <source>Fewer leave more of the processor to other programs. Results are the same.</source>
+        <translation>较少线程可为其他程序留出更多处理器。结果相同。</translation>
+    </message>
+    <message>
+        <source>Thumbnails on the disk</source>
+        <translation>磁盘上的缩略图</translation>
+    </message>
+    <message>
+        <source> MB at most</source>
+        <translation> MB 上限</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>当前 %1</translation>
+    </message>
+    <message>
+        <source>Play thumbnails under the pointer</source>
+        <translation>指针悬停时播放缩略图</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>动态</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PresetBrowser</name>
@@ -6028,10 +6304,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>爆破</translation>
     </message>
     <message>
-        <source>A fireball that throws out debris, which trails smoke, and sparks that bounce.</source>
-        <translation>火球抛出拖着烟的碎片和弹跳的火花。</translation>
-    </message>
-    <message>
         <source>Bonfire</source>
         <translation>大篝火</translation>
     </message>
@@ -6150,6 +6422,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>The spiral of Magic, with glitter that is born on its smoke.</source>
         <translation>“魔法”的螺旋，烟上生出闪光微粒。</translation>
+    </message>
+    <message>
+        <source>A fireball over a ring of dust, which throws out debris that trails smoke, and sparks that bounce.</source>
+        <translation>尘环之上的火球，抛出拖着烟的碎片和弹跳的火花。</translation>
     </message>
 </context>
 <context>
@@ -6573,12 +6849,12 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>默认的烟</translation>
     </message>
     <message>
-        <source>Presets</source>
-        <translation>预设</translation>
-    </message>
-    <message>
         <source>Files that you open or save will be here</source>
         <translation>您打开或保存的文件将显示在这里</translation>
+    </message>
+    <message>
+        <source>Scenes and presets</source>
+        <translation>场景与预设</translation>
     </message>
 </context>
 <context>
