@@ -1,5 +1,6 @@
 #include "ui/shell/application.h"
 
+#include "ui/theme/icons.h"
 #include "ui/theme/language.h"
 #include "ui/shell/end_signals.h"
 #include "ui/shell/guarded_application.h"
@@ -17,7 +18,6 @@
 #include <optional>
 
 #include <QCommandLineParser>
-#include <QIcon>
 #include <QSurfaceFormat>
 
 /// What Qt's parser says, and has no catalogue for in every language of ours: ours has it.
@@ -153,7 +153,7 @@ int run(int argc, char** argv)
     QApplication::setApplicationName(QStringLiteral("Fumage"));
     QApplication::setApplicationVersion(QStringLiteral(FUMAGE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("fumage"));
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/fumage.svg")));
+    QApplication::setWindowIcon(themedIcon(QStringLiteral("fumage")));
 
     applyLanguage(application, Settings().language());
     applyOpenGlChoice(Settings().openGl());

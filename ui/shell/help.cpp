@@ -3,6 +3,7 @@
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 #include "ui/help/manual_window.h"
+#include "ui/theme/icons.h"
 #include "ui/widgets/message_box.h"
 #include "ui/shell/action_table.h"
 #include "ui/shell/settings.h"
@@ -224,7 +225,7 @@ void showAbout(QWidget* parent)
     MessageBox box(QStringLiteral("aboutBox"), MessageBox::NoIcon, helpText(QT_TRANSLATE_NOOP("Help", "About Fumage")),
         {}, MessageBox::Ok, parent);
     constexpr int kIcon = 96;
-    box.setIconPixmap(QIcon(QStringLiteral(":/icons/fumage.svg")).pixmap(kIcon, kIcon));
+    box.setIconPixmap(themedIcon(QStringLiteral("fumage")).pixmap(kIcon, kIcon));
     box.setTextFormat(Qt::RichText);
     box.setText(QStringLiteral("<h2>Fumage %1</h2>").arg(QCoreApplication::applicationVersion().toHtmlEscaped()));
     box.explain(helpText(QT_TRANSLATE_NOOP("Help",

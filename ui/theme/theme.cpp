@@ -3,6 +3,9 @@
 #include <QApplication>
 #include <QFile>
 #include <QStyleFactory>
+#include <QtPlugin>
+
+Q_IMPORT_PLUGIN(SvgIconPlugin) // the style sheet's pictures
 
 namespace fumage::ui {
 
