@@ -16,4 +16,9 @@ namespace fumage {
 /// @return an absolute folder, which need not be there; empty where the environment names none
 [[nodiscard]] std::filesystem::path userDataFolder();
 
+/// Puts another folder in its place, for this program and what it starts. Before threads begin, which may look at the
+/// environment.
+/// @param folder absolute
+void setUserDataFolder(const std::filesystem::path& folder);
+
 } // namespace fumage

@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 
+#include <stdlib.h>
+
 namespace fumage {
 
 namespace {
@@ -33,6 +35,11 @@ std::filesystem::path userDataFolder()
     const std::filesystem::path base = absoluteFolder("XDG_DATA_HOME");
     const std::filesystem::path home = userHome();
     return !base.empty() || home.empty() ? base : home / ".local" / "share";
+}
+
+void setUserDataFolder(const std::filesystem::path& folder)
+{
+    ::setenv("XDG_DATA_HOME", folder.c_str(), 1); // NOLINT(concurrency-mt-unsafe): as the header says
 }
 
 } // namespace fumage

@@ -36,4 +36,9 @@ std::filesystem::path userDataFolder()
     return absoluteFolder("APPDATA");
 }
 
+void setUserDataFolder(const std::filesystem::path& folder)
+{
+    ::SetEnvironmentVariableW(L"APPDATA", folder.c_str());
+}
+
 } // namespace fumage

@@ -115,14 +115,19 @@ std::function<Status()> Recovery::writer() const
                preset = m_document.preset()] { return writeCopy(path, origin, mark, preset); };
 }
 
-void Recovery::leave()
+void Recovery::keep()
 {
     m_soon.stop();
     m_writing.forget();
     const std::lock_guard lock(m_files);
     if (!m_isLeft && m_document.isModified()) {
-        static_cast<void>(writer()()); // there is nobody left who could be told
+        note(writer()());
     }
+}
+
+void Recovery::leave()
+{
+    keep();
     m_isLeft = m_document.isModified();
 }
 

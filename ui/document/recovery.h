@@ -30,6 +30,9 @@ public:
     void save();
     /// The work is saved or given up.
     void discard();
+    /// Has the copy written, if there is unsaved work, and waits for that: the program may be ended by others in a
+    /// moment, or go on.
+    void keep();
     /// The program is about to be ended by others: the copy is written now, and stays for the next program.
     void leave();
 

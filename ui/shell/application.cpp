@@ -5,13 +5,14 @@
 #include "ui/shell/end_signals.h"
 #include "ui/shell/guarded_application.h"
 #include "ui/shell/help.h"
+#include "ui/shell/portable.h"
 #include "ui/shell/session.h"
+#include "ui/shell/system_start.h"
 
 #include "core/base/caught.h"
 #include "core/base/heap.h"
 #include "core/version.h"
 
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -48,10 +49,10 @@ int sayCaught() noexcept
 {
     try {
         const Error why = caughtError();
-        std::fprintf(stderr, "fumage: %s\n", why.text().c_str());
+        sayAtEnd(("fumage: " + why.text() + '\n').c_str());
         return why.code == ErrorCode::OutOfMemory ? kTryAgain : kFailure;
     } catch (...) {
-        std::fputs("fumage: there is not enough memory\n", stderr);
+        sayAtEnd("fumage: there is not enough memory\n");
         return kTryAgain;
     }
 }
@@ -66,7 +67,7 @@ int sayCaught() noexcept
     } catch (...) {
         std::_Exit(sayCaught());
     }
-    std::fputs("fumage: something failed inside Fumage\n", stderr);
+    sayAtEnd("fumage: something failed inside Fumage\n");
     std::_Exit(kFailure);
 }
 
@@ -75,27 +76,9 @@ void endByQt(QtMsgType type, const QMessageLogContext&, const QString& message)
 {
     std::fprintf(stderr, "%s\n", qPrintable(message));
     if (type == QtFatalMsg) {
-        std::fputs(
-            "fumage: no window can be opened. Start it on a desktop, or use fumage-cli, which needs no display\n",
-            stderr);
+        sayAtEnd("fumage: no window can be opened. Start it on a desktop, or use fumage-cli, which needs no display\n");
         std::_Exit(kFailure);
     }
-}
-
-/// Whether windows have somewhere to go, as far as that can be known before Qt is asked, which would abort.
-bool hasDisplay(const QStringList& words)
-{
-#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
-    for (const char* variable : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"}) {
-        if (!qEnvironmentVariableIsEmpty(variable)) {
-            return true;
-        }
-    }
-    return words.contains(QStringLiteral("-platform")) || words.contains(QStringLiteral("--platform"));
-#else
-    static_cast<void>(words);
-    return true;
-#endif
 }
 
 bool asksForText(const QStringList& words)
@@ -122,9 +105,8 @@ std::optional<int> checkDisplay(int argc, char** argv)
         qputenv("QT_QPA_PLATFORM", "offscreen");
         return std::nullopt;
     }
-    std::fputs("fumage: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set). Start it on a desktop, or "
-               "use fumage-cli, which needs none\n",
-        stderr);
+    sayAtEnd("fumage: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set). Start it on a desktop, or "
+             "use fumage-cli, which needs none\n");
     return kFailure;
 }
 
@@ -144,9 +126,6 @@ int run(int argc, char** argv)
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setSwapInterval(0); // the player keeps the time
     QSurfaceFormat::setDefaultFormat(format);
-#ifdef SIGXFSZ // Windows has no such limit
-    std::signal(SIGXFSZ, SIG_IGN); // writing says it too, and then the user hears of it
-#endif
     qInstallMessageHandler(endByQt);
     GuardedApplication application(argc, argv);
     qInstallMessageHandler(nullptr);
@@ -155,6 +134,7 @@ int run(int argc, char** argv)
     QApplication::setDesktopFileName(QStringLiteral("fumage"));
     QApplication::setWindowIcon(themedIcon(QStringLiteral("fumage")));
 
+    usePortableFolder();
     applyLanguage(application, Settings().language());
     applyOpenGlChoice(Settings().openGl());
 
@@ -180,6 +160,8 @@ int run(int argc, char** argv)
         constexpr int kSignalled = 128; // as shells count
         QApplication::exit(kSignalled + number);
     });
+    QObject::connect(&application, &QGuiApplication::commitDataRequest, &session, &Session::keepWork);
+    QObject::connect(&application, &QCoreApplication::aboutToQuit, &session, &Session::end);
     session.start(parser.positionalArguments());
     return QApplication::exec();
 }
@@ -189,6 +171,7 @@ int run(int argc, char** argv)
 int runEditor(int argc, char** argv)
 {
     keepHeapSmall();
+    prepareSystem();
     // Nothing is caught here: then nothing is unwound either, and a window that is half built, without memory, is not
     // torn down.
     std::set_terminate(endByException);

@@ -78,10 +78,28 @@ void Session::start(const QStringList& files)
     }
 }
 
+void Session::keepWork()
+{
+    for (const QPointer<MainWindow>& window : std::as_const(m_windows)) {
+        if (window) {
+            window->recovery().keep();
+        }
+    }
+}
+
 void Session::leaveWork()
 {
     for (const QPointer<MainWindow>& window : std::as_const(m_windows)) {
         if (window) {
+            window->recovery().leave();
+        }
+    }
+}
+
+void Session::end()
+{
+    for (const QPointer<MainWindow>& window : std::as_const(m_windows)) {
+        if (window && window->isVisible()) {
             window->recovery().leave();
         }
     }

@@ -33,8 +33,12 @@ public:
     void closeAll() override;
     [[nodiscard]] bool mayClose(QWidget& window) override;
 
+    /// The desktop's session may end, or not: unsaved work is on the disk in either case.
+    void keepWork();
     /// The program is about to be ended by others: unsaved work stays on the disk for the next one.
     void leaveWork();
+    /// The program ends: windows that are still open were not closed by their user.
+    void end();
 
 private:
     void recover(std::vector<Recovery::Work>& works);

@@ -1,5 +1,7 @@
 #include "ui/shell/settings.h"
 
+#include "ui/shell/portable.h"
+
 #include <algorithm>
 
 #include <QDir>
@@ -38,7 +40,9 @@ Enum known(const QVariant& value, Enum last)
 /// Where the program keeps what is not a setting.
 QString dataFolder()
 {
-    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fumage");
+    const QString portable = portableFolder();
+    return (portable.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) : portable)
+        + QStringLiteral("/fumage");
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "ui/theme/theme.h"
 
+#include "ui/theme/window_frame.h"
+
 #include <QApplication>
 #include <QFile>
 #include <QStyleFactory>
@@ -100,6 +102,7 @@ void applyTheme(QApplication& application, Theme theme, bool desktopIsDark)
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(makePalette(colours));
     application.setStyleSheet(styleSheet(colours, dark));
+    setFrames(application, dark);
 }
 
 } // namespace fumage::ui

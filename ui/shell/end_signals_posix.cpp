@@ -1,6 +1,5 @@
 #include "ui/shell/end_signals.h"
 
-#ifdef __unix__
 #include <QSocketNotifier>
 
 #include <array>
@@ -8,11 +7,9 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#endif
 
 namespace fumage::ui {
 
-#ifdef __unix__
 namespace {
 
 /// A handler may do next to nothing: it writes the number here, and the loop of events reads it. Only a global reaches
@@ -51,11 +48,7 @@ EndSignals::EndSignals(std::function<void(int)> end, QObject* parent)
         }
     }
 }
-#else
-EndSignals::EndSignals(std::function<void(int)>, QObject* parent)
-    : QObject(parent)
-{
-}
-#endif
+
+EndSignals::~EndSignals() = default;
 
 } // namespace fumage::ui
