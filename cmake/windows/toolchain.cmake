@@ -1,11 +1,12 @@
-# Cross-building for Windows with Debian's mingw-w64 (posix threads: the standard library's), against what parts.sh has built; programs run under Wine.
+# Cross-building for Windows with Debian's mingw-w64 (posix threads: the standard library's), against what parts.sh and qt.sh have built; programs run under Wine.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
 set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
 get_filename_component(FUMAGE_WINDOWS_PARTS ${CMAKE_CURRENT_LIST_DIR}/../../build/windows-parts ABSOLUTE)
-set(CMAKE_FIND_ROOT_PATH ${FUMAGE_WINDOWS_PARTS} /usr/x86_64-w64-mingw32)
+get_filename_component(FUMAGE_WINDOWS_QT ${CMAKE_CURRENT_LIST_DIR}/../../build/windows-qt ABSOLUTE)
+set(CMAKE_FIND_ROOT_PATH ${FUMAGE_WINDOWS_PARTS} ${FUMAGE_WINDOWS_QT} /usr/x86_64-w64-mingw32)
 set(CMAKE_CROSSCOMPILING_EMULATOR bash;${CMAKE_CURRENT_LIST_DIR}/wine.sh)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)

@@ -27,11 +27,14 @@ bool applyLanguage(QCoreApplication& application, const QString& code)
         return false;
     }
     QCoreApplication::installTranslator(own);
-    // Buttons and dialogs of Qt, where its translations are installed.
+    // Buttons and dialogs of Qt, where its translations are installed, or within the program.
     auto* qt = new QTranslator(&application);
-    if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
-            QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-        QCoreApplication::installTranslator(qt);
+    for (const QString& folder :
+        {QLibraryInfo::path(QLibraryInfo::TranslationsPath), QStringLiteral(":/translations")}) {
+        if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), folder)) {
+            QCoreApplication::installTranslator(qt);
+            break;
+        }
     }
     return true;
 }
