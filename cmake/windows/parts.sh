@@ -46,5 +46,13 @@ part openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF -DOPENEXR_
 part onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
 # It would have what it is linked into export its functions.
 x86_64-w64-mingw32-objcopy --remove-section .drectve "$parts/lib/libtbb12.a"
+# What whoever passes a program on passes on with it.
+mkdir -p "$parts/licences"
+for package in packages/usr/share/doc/*/; do
+    cp "$package/copyright" "$parts/licences/$(basename "$package").txt"
+done
+for source in "${sources[@]}"; do
+    cp "$work/$source"-[0-9]*/debian/copyright "$parts/licences/$source.txt"
+done
 rm -rf "$work"
 echo "$wanted" > "$parts/made"
