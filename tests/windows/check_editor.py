@@ -1,0 +1,286 @@
+#!/usr/bin/env python3
+"""Tries the editor for Windows under Wine, on a screen that DISPLAY names:  check_editor.py WINDOWS_BUILD LINUX_BUILD [STEPS]...
+
+Steps: pictures   what the viewport shows of every preset has the same bits as on Linux
+       widgets    tests of the editor that need no screen
+       start      it starts, draws and plays, with OpenGL and without; light where the desktop is light and dark where it is dark
+       files      a preset of any letters and more than 260 of them is opened, changed and saved; a picture is opened
+       export     a picture is exported by the dialog
+       recover    unsaved work is there again after a kill, after the end of the session and after Ctrl-C
+       install    the installer installs, offers its files, and takes everything away again
+What was seen lies in WINDOWS_BUILD/seen.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+from PIL import Image, ImageChops, ImageStat
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+WINE = ["bash", str(ROOT / "cmake/windows/wine.sh")]
+ODD = "r\u00f6k \u70df \U0001F525"
+TESTS = ["document", "theme", "point_strip", "timeline", "key_graph", "marker_lane", "work_line", "viewport", "preview_renderer"]
+faults = []
+
+
+def check(holds, what):
+    print(f"{'good  ' if holds else 'FAILED'}  {what}", flush=True)
+    if not holds:
+        faults.append(what)
+    return holds
+
+
+def in_wine(path):
+    return "Z:" + str(path).replace("/", "\\")
+
+
+def until(condition, seconds):
+    """@return what the condition gives as soon as it gives something; else what it gives at last"""
+    end = time.monotonic() + seconds
+    while not (seen := condition()) and time.monotonic() < end:
+        time.sleep(0.2)
+    return seen
+
+
+def x11(*words):
+    return subprocess.run(["xdotool", *map(str, words)], capture_output=True, text=True).stdout.split()
+
+
+def small(picture):
+    return picture.convert("RGB").resize((320, 180))
+
+
+def differ(one, other):
+    """@return mean difference of two pictures, 0 to 255"""
+    return sum(ImageStat.Stat(ImageChops.difference(small(one), small(other))).mean) / 3
+
+
+class Editor:
+    """fumage.exe on the screen."""
+
+    def __init__(self, folder, *words, environment=None):
+        self.process = subprocess.Popen([*WINE, str(folder / "fumage.exe"), *words], env={**os.environ, **(environment or {})},
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.window = None
+
+    def wait(self, title="Fumage", seconds=240):
+        """@return whether a window with this in its title is there"""
+        found = until(lambda: self.process.poll() is not None or x11("search", "--onlyvisible", "--name", title), seconds)
+        if not isinstance(found, list) or not found:
+            return False
+        self.window = found[0]
+        x11("windowactivate", "--sync", self.window, "windowsize", "--sync", self.window, 1600, 900)
+        time.sleep(3)
+        return True
+
+    def keys(self, *names, pause=1.5):
+        for name in names:
+            x11("key", "--clearmodifiers", name)
+            time.sleep(pause)
+
+    def title(self):
+        return subprocess.run(["xdotool", "getwindowname", self.window or "0"], capture_output=True, text=True).stdout.strip()
+
+    def kill(self):
+        """As the Task Manager does."""
+        subprocess.run([*WINE, "taskkill", "/F", "/IM", "fumage.exe"], capture_output=True)
+        self.process.wait(timeout=60)
+
+
+class Checks:
+    def __init__(self, build, linux, place):
+        self.build = build
+        self.linux = linux
+        self.place = place
+        self.seen = build / "seen"
+        self.seen.mkdir(exist_ok=True)
+        self.portable = place / ODD / "portable"
+        subprocess.run(["unzip", "-q", str(next((build / "packages").glob("*.zip"))), "-d", str(self.portable)], check=True)
+        self.folder = next(self.portable.iterdir()) if not (self.portable / "fumage.exe").exists() else self.portable
+        self.data = self.folder / "fumage-data" / "fumage"
+        self.data.mkdir(parents=True)
+        self.settings()
+
+    def settings(self, theme=1):
+        (self.data / "fumage.ini").write_text(f"[face]\ntheme={theme}\n[start]\nshown=false\ntour=true\n")
+
+    def cli(self, *words):
+        return subprocess.run([str(self.linux / "bin/fumage-cli"), *map(str, words)], capture_output=True, text=True)
+
+    def shot(self, name):
+        file = self.seen / f"{name}.png"
+        subprocess.run(["import", "-window", "root", str(file)], check=True)
+        return Image.open(file)
+
+    def preset(self, folder, name="smoke"):
+        folder.mkdir(parents=True, exist_ok=True)
+        file = folder / f"{name}.json"
+        file.write_text(self.cli("presets", "--show", "thesis-2012").stdout)
+        return file
+
+    def pictures(self):
+        run = lambda command: subprocess.run(command, capture_output=True, text=True).stdout.replace("\r", "").split("\n")[:-1]
+        ours = run([str(self.linux / "bin/preview_checksums")])
+        theirs = run([*WINE, str(self.build / "bin/preview_checksums.exe")])
+        different = sorted(set(ours) ^ set(theirs))
+        check(ours and not different, f"{len(theirs)} pictures of the viewport have the bits of Linux {different or ''}")
+
+    def widgets(self):
+        for name in TESTS:
+            done = subprocess.run([*WINE, str(self.build / f"tests/{name}_test.exe"), "-o", "-,txt"], capture_output=True, text=True, errors="replace",
+                                  env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
+            lines = done.stdout.replace("\r", "").split("\n")
+            totals = next((line for line in lines if line.startswith("Totals:")), "no totals")
+            failed = [line for line in lines if line.startswith("FAIL")]
+            check(done.returncode == 0, f"{name}_test: {totals} {failed or ''}")
+
+    def start(self):
+        file = self.preset(self.place / "start")
+        for name, environment, theme in (("software", {"FUMAGE_OPENGL": "none"}, 1), ("opengl", {"FUMAGE_OPENGL": "software"}, 2)):
+            self.settings(theme)
+            editor = Editor(self.folder, in_wine(file), environment=environment)
+            if not check(editor.wait("smoke"), f"{name}: a window opens: {editor.title()}"):
+                self.shot(f"start_{name}_failed")
+                editor.kill()
+                continue
+            time.sleep(10)
+            first = self.shot(f"start_{name}")
+            editor.keys("space", pause=6)
+            second = self.shot(f"start_{name}_later")
+            middle = (500, 150, 1100, 700)
+            spread = ImageStat.Stat(first.convert("L").crop(middle)).stddev[0]
+            check(spread > 3, f"{name}: smoke is drawn (brightness varies by {spread:.1f})")
+            check(differ(first.crop(middle), second.crop(middle)) > 0.05, f"{name}: the picture moves ({differ(first.crop(middle), second.crop(middle)):.2f})")
+            dark = ImageStat.Stat(first.convert("L").crop((0, 0, 1600, 60))).mean[0] < 128
+            check(dark == (theme == 1), f"{name}: the theme is {'dark' if dark else 'light'}")
+            editor.kill()
+        self.settings()
+
+    def files(self):
+        deep = self.place / ODD
+        while len(in_wine(deep)) < 300:
+            deep = deep / "a folder with a long name, as they come about"
+        file = self.preset(deep, ODD)
+        before = file.read_bytes()
+        editor = Editor(self.folder, in_wine(file))
+        if check(editor.wait(), f"a preset with {len(in_wine(file))} letters is opened: {editor.title()}"):
+            check(ODD in editor.title(), "its name is in the title")
+            editor.keys("ctrl+r", "ctrl+s", pause=4)
+            check(until(lambda: file.read_bytes() != before, 20), "it is changed and saved")
+            check(self.cli("validate", file).returncode == 0, "what was saved is a preset")
+            self.shot("files_long")
+        editor.kill()
+        picture = self.place / "picture.png"
+        self.cli("--quiet", "render", "thesis-2012", "-f", "20", "--size", "128", "-o", picture)
+        editor = Editor(self.folder, in_wine(picture))
+        if check(editor.wait("picture"), f"a picture is opened: {editor.title()}"):
+            time.sleep(6)
+            self.shot("files_picture")
+        editor.kill()
+
+    def export(self):
+        file = self.preset(self.place / "export")
+        editor = Editor(self.folder, in_wine(file))
+        if check(editor.wait("smoke"), "export: a window opens"):
+            editor.keys("ctrl+e", pause=8)
+            self.shot("export_dialog")
+            before = set(self.place.rglob("*.png"))
+            editor.keys("Return", pause=10)
+            self.shot("export_running")
+            made = until(lambda: sorted(set(self.place.rglob("*.png")) - before), 240)
+            check(made, f"the dialog exports {[p.name for p in made][:4]}")
+            time.sleep(4)
+            self.shot("export_done")
+            if made:
+                shutil.copy(made[-1], self.seen / "export_made.png")
+                check(self.cli("info", made[-1]).returncode == 0 or Image.open(made[-1]).size[0] > 0, "what was made is a picture")
+        editor.kill()
+
+    def recover(self):
+        for number, (name, end) in enumerate((("a kill", lambda editor: editor.kill()), ("the end of the session", self.end_session))):
+            file = self.preset(self.place / "recover", f"work{number}")
+            editor = Editor(self.folder, in_wine(file))
+            if not check(editor.wait(f"work{number}"), f"before {name} a window opens"):
+                editor.kill()
+                continue
+            editor.keys("ctrl+r")
+            copies = lambda: list((self.data / "recovery").glob("*.json"))
+            check(until(copies, 20), f"before {name} a copy is kept")
+            end(editor)
+            check(editor.process.poll() is not None and copies(), f"after {name} the program is gone and the copy is there")
+            changed = copies()[0].read_bytes() if copies() else b""
+            editor = Editor(self.folder)
+            if check(editor.wait(f"work{number}"), f"after {name} it is open again: {editor.title()}"):
+                time.sleep(5)
+                self.shot(f"recover_{number}")
+                editor.keys("ctrl+s", pause=4)
+                check(until(lambda: json.loads(file.read_text()) == json.loads(changed), 20), "and is what it was")
+            editor.kill()
+            for left in (self.data / "recovery").glob("*"):
+                left.unlink()
+
+    def end_session(self, editor):
+        subprocess.run([*WINE, "wineboot", "--end-session"], capture_output=True, timeout=120)
+        try:
+            editor.process.wait(timeout=60)
+        except subprocess.TimeoutExpired:
+            editor.kill()
+            check(False, "the end of the session ends the program")
+
+    def registry(self, key):
+        return subprocess.run([*WINE, "reg", "query", key], capture_output=True, text=True, errors="replace").stdout
+
+    def install(self):
+        setup = next((self.build / "packages").glob("*-setup.exe"))
+        subprocess.run([*WINE, str(setup), "/S"], timeout=300)
+        prefix = pathlib.Path(os.environ["FUMAGE_WINE_FOLDER"])
+        find = lambda: list(prefix.rglob("Programs/Fumage/fumage.exe"))
+        installed = until(find, 120)
+        if not check(installed, "the installer installs for one user"):
+            return
+        folder = installed[0].parent
+        check((folder / "share/fumage/docs/manual").is_dir() and (folder / "licences").is_dir(), "manual and licences lie beside it")
+        check(not (folder / "fumage-data").exists(), "settings are kept where Windows has them")
+        for ending in (".json", ".png", ".exr"):
+            check("Fumage." in self.registry(f"HKCU\\Software\\Classes\\{ending}\\OpenWithProgids"), f"it offers to open {ending}")
+        check(list(prefix.rglob("Start Menu/Programs/Fumage.lnk")), "it is in the start menu")
+        done = subprocess.run([*WINE, str(folder / "fumage.exe"), "--keys"], capture_output=True, text=True, errors="replace", timeout=120)
+        check("Ctrl+Z" in done.stdout, "the installed program says its keys")
+        subprocess.run([*WINE, str(folder / "uninstall.exe"), "/S"], timeout=300)
+        check(until(lambda: not folder.exists(), 60), f"the uninstaller takes it away {sorted(p.name for p in folder.rglob('*'))[:4] if folder.exists() else ''}")
+        check("Fumage." not in self.registry("HKCU\\Software\\Classes\\.json\\OpenWithProgids"), "and its offers")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("linux", type=pathlib.Path)
+    parser.add_argument("steps", nargs="*", default=[])
+    given = parser.parse_args()
+    steps = given.steps or ["pictures", "widgets", "start", "files", "export", "recover", "install"]
+    # Pictures that the editor writes to the user's folders lie in this one.
+    with tempfile.TemporaryDirectory() as place:
+        os.environ["FUMAGE_WINE_DISPLAY"] = os.environ["DISPLAY"]
+        os.environ["FUMAGE_WINE_FOLDER"] = str(pathlib.Path(place) / "wine")
+        os.environ["HOME"] = place
+        os.environ["LC_ALL"] = "C.UTF-8"  # by which Wine names files
+        subprocess.run([*WINE, "wineboot", "--init"], capture_output=True)
+        checks = Checks(given.build.resolve(), given.linux.resolve(), pathlib.Path(place))
+        try:
+            for step in steps:
+                print(f"-- {step}", flush=True)
+                getattr(checks, step)()
+        finally:
+            subprocess.run(["wineserver", "-k"], env={**os.environ, "WINEPREFIX": os.environ["FUMAGE_WINE_FOLDER"]}, capture_output=True)
+    print(f"{len(faults)} fault(s)" if faults else "all good")
+    sys.exit(1 if faults else 0)
+
+
+main()
