@@ -221,6 +221,24 @@ private slots:
         QCOMPARE(document.compareWithDisk(), DiskState::Changed);
     }
 
+    void whatIsKeptForAnEndThatDoesNotComeGoesOnAndGoesAway()
+    {
+        const QTemporaryDir folder;
+        const QDir copies(folder.path());
+        const auto kept = [&] { return copies.entryList({u"*.json"_q}).size(); };
+        Document document;
+        Recovery recovery(document, copies);
+        recovery.keep();
+        QCOMPARE(kept(), 0);
+        document.edit(knownParameter("motion.gravity"), 7.0F);
+        recovery.keep(); // at once
+        QCOMPARE(kept(), 1);
+        QVERIFY(document.save(folder.filePath(u"saved"_q)).ok());
+        QCOMPARE(kept(), 0);
+        document.edit(knownParameter("motion.gravity"), 8.0F);
+        QTRY_COMPARE(kept(), 1);
+    }
+
     void aProgramThatIsToldToEndWithNothingUnsavedLeavesNothing()
     {
         const QTemporaryDir folder;

@@ -26,7 +26,7 @@ from PIL import Image, ImageChops, ImageStat
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WINE = ["bash", str(ROOT / "cmake/windows/wine.sh")]
 ODD = "r\u00f6k \u70df \U0001F525"
-TESTS = ["document", "theme", "point_strip", "timeline", "key_graph", "marker_lane", "work_line", "viewport", "preview_renderer"]
+TESTS = ["document", "theme", "svg", "point_strip", "timeline", "key_graph", "marker_lane", "work_line", "viewport", "preview_renderer"]
 faults = []
 
 

@@ -266,6 +266,11 @@ int main(int argc, char** argv)
     memory();
     threads();
     check(userDataFolder().is_absolute(), "the user's folder is known");
+    const std::filesystem::path before = userDataFolder();
+    const std::filesystem::path other = before / pathFrom("r\xC3\xB6k \xE7\x83\x9F");
+    setUserDataFolder(other);
+    check(userDataFolder() == other, "and may be another");
+    setUserDataFolder(before);
     std::filesystem::remove_all(folder);
     return s_failed == 0 ? 0 : 1;
 }
