@@ -172,7 +172,7 @@ class Checks:
         editor = Editor(self.folder, in_wine(file))
         if check(editor.wait(), f"a preset with {len(in_wine(file))} letters is opened: {editor.title()}"):
             check(ODD in editor.title(), "its name is in the title")
-            editor.keys("ctrl+r", "ctrl+s", pause=4)
+            editor.keys("ctrl+shift+r", "ctrl+s", pause=4)
             check(until(lambda: file.read_bytes() != before, 20), "it is changed and saved")
             check(self.cli("validate", file).returncode == 0, "what was saved is a preset")
             self.shot("files_long")
@@ -183,6 +183,10 @@ class Checks:
         if check(editor.wait("picture"), f"a picture is opened: {editor.title()}"):
             time.sleep(6)
             self.shot("files_picture")
+            editor.keys("F1")
+            check(until(lambda: x11("search", "--onlyvisible", "--name", "Manual"), 60), "the manual opens")
+            time.sleep(5)
+            self.shot("files_manual")
         editor.kill()
 
     def export(self):
@@ -210,7 +214,7 @@ class Checks:
             if not check(editor.wait(f"work{number}"), f"before {name} a window opens"):
                 editor.kill()
                 continue
-            editor.keys("ctrl+r")
+            editor.keys("ctrl+shift+r")
             copies = lambda: list((self.data / "recovery").glob("*.json"))
             check(until(copies, 20), f"before {name} a copy is kept")
             end(editor)
