@@ -78,6 +78,12 @@ function(fumage_handbook component)
     install(FILES ${pages} DESTINATION ${folder}/docs COMPONENT ${component})
     install(FILES ${resources}/parameters.md DESTINATION ${folder} COMPONENT ${component})
     install(DIRECTORY ${resources}/pictures DESTINATION ${folder} COMPONENT ${component} FILES_MATCHING PATTERN "*.png")
+    if(UNIX)
+        # Where one looks for documents of programs.
+        file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/documents)
+        file(CREATE_LINK ../../fumage/docs ${PROJECT_BINARY_DIR}/documents/manual SYMBOLIC)
+        install(FILES ${PROJECT_BINARY_DIR}/documents/manual DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fumage COMPONENT ${component})
+    endif()
 endfunction()
 
 # fumage_documents(<package> <component> [pages of resources/docs]...): licence, changelog and README, and what else concerns the package.
@@ -93,8 +99,9 @@ function(fumage_documents package component)
     endforeach()
     add_custom_command(OUTPUT ${documents} ${made}/changelog.gz ${made}/NEWS.md.gz
         COMMAND ${CMAKE_COMMAND} -E make_directory ${made}
-        COMMAND bash ${PROJECT_SOURCE_DIR}/resources/manual/make_documents.sh ${package} ${PROJECT_VERSION} ${FUMAGE_MAINTAINER} ${PROJECT_SOURCE_DIR} ${made} ${sources}
-        DEPENDS ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/resources/manual/make_documents.sh ${sources}
+        COMMAND bash ${PROJECT_SOURCE_DIR}/resources/manual/make_documents.sh ${PROJECT_VERSION} ${FUMAGE_MAINTAINER} ${PROJECT_SOURCE_DIR} ${made} ${sources}
+        DEPENDS ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${sources}
+            ${PROJECT_SOURCE_DIR}/resources/manual/make_documents.sh ${PROJECT_SOURCE_DIR}/resources/manual/make_changelog.sh
         COMMENT "Writing the documents of ${package}" VERBATIM)
     install(FILES ${documents} ${made}/changelog.gz ${made}/NEWS.md.gz DESTINATION ${folder} COMPONENT ${component} OPTIONAL)
     if(FUMAGE_BUILD_MANUAL)

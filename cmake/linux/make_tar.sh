@@ -32,25 +32,28 @@ for language in sv zh_CN; do # those that the editor speaks, and Qt's buttons wi
     [ ! -f "$file" ] || install -D --mode=644 "$file" "$usr/share/qt6/translations/qtbase_$language.qm"
 done
 
-# Libraries, and the Debian packages that they are from.
-declare -A sources=()
+# Libraries, and the Debian packages that they and the plugins are from.
 mkdir -p "$usr/lib" "$usr/spare" "$folder/licenses"
-mapfile -t originals < <(libraries_of "$usr"/bin/* $(find "$usr/plugins" -name '*.so'))
+copies=("${plugins[@]/#/"$usr/plugins/"}")
+files=("${plugins[@]/#/"$qt_plugins/"}")
+mapfile -t originals < <(libraries_of "$usr"/bin/fumage "$usr"/bin/fumage-cli "${copies[@]}")
 for library in "${originals[@]}"; do
-    soname=$(basename "$library")
+    soname=${library##*/}
     is_glibc "$soname" && continue
     target=$usr/lib/$soname
     ! is_spare "$soname" || target=$usr/spare/$soname/$soname
-    install -D --mode=644 "$(realpath "$library")" "$target"
-    owner=$(dpkg-query --search "$(realpath "$library")" "/usr$(realpath "$library")" "${library#/usr}" 2> /dev/null | sed -n '1s/[:,].*//p' || true)
-    [ -n "$owner" ] || { echo "no package has $library, so that its licence is not known"; exit 1; }
-    sources[$owner]=1
+    file=$(realpath "$library")
+    install -D --mode=644 "$file" "$target"
+    files+=("$file")
 done
-for plugin in "${plugins[@]}"; do
-    owner=$(dpkg-query --search "$qt_plugins/$plugin" | sed -n '1s/:.*//p')
-    sources[$owner]=1
+# Packages list some files below /lib, others below /usr/lib, where all of them are.
+owned=$(dpkg-query --search "${files[@]}" "${files[@]#/usr}" 2> /dev/null || true)
+for file in "${files[@]}"; do
+    [[ $owned$'\n' == *": $file"$'\n'* || $owned$'\n' == *": ${file#/usr}"$'\n'* ]] ||
+        { echo "no package has $file, so that its licence is not known"; exit 1; }
 done
-for owner in "${!sources[@]}"; do
+mapfile -t owners < <(sed 's/[:,].*//' <<< "$owned" | sort -u)
+for owner in "${owners[@]}"; do
     copyright=/usr/share/doc/$owner/copyright
     cp "$copyright" "$folder/licenses/$owner.txt"
     # The texts that it refers to, which every Debian has.
@@ -58,7 +61,7 @@ for owner in "${!sources[@]}"; do
 done | sort -u | while IFS= read -r text; do
     [ ! -f "$text" ] || cp "$text" "$folder/licenses/$(basename "$text")"
 done
-dpkg-query --show --showformat '${binary:Package} ${Version}, source ${source:Package} ${source:Version}\n' "${!sources[@]}" |
+dpkg-query --show --showformat '${binary:Package} ${Version}, source ${source:Package} ${source:Version}\n' "${owners[@]}" |
     sort -u > "$folder/licenses/packages.txt"
 cp "$usr/share/doc/fumage/copyright" "$folder/LICENSE.txt"
 
@@ -71,7 +74,6 @@ origin() { # <run path> <files>...
 }
 origin '$ORIGIN/../lib' "$usr"/bin/fumage "$usr"/bin/fumage-cli
 origin '$ORIGIN' "$usr"/lib/*.so*
-mapfile -t copies < <(find "$usr/plugins" -name '*.so')
 origin '$ORIGIN/../../lib' "${copies[@]}" "$usr"/spare/*/*
 
 # What the system must have. A spare may ask for a newer one: it is only taken where a system of our own age has no such library.
