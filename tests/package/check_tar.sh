@@ -147,7 +147,7 @@ cp campfire.json "$root/work/open.sh" "$bare/tmp/"
 mkdir "$bare/proc"
 enter=(unshare --mount --pid --fork)
 [ "$(id -u)" -eq 0 ] || enter+=(--map-root-user)
-enter+=(/bin/sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"' "$bare")
+enter+=(/bin/sh -c 'mount -t proc proc "$0/proc" && exec "$(PATH=/usr/sbin:/sbin command -v chroot)" "$0" "$@"' "$bare")
 if ! "${enter[@]}" /bin/sh -c true 2> /dev/null; then
     echo "not tried in a root of its own: nobody may make one here"
 else
