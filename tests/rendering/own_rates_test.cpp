@@ -4,6 +4,7 @@
 #include "tests/scene/scene_pictures.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/effect/parameter_table.h"
 #include "core/rendering/camera.h"
 
 using namespace fumage;

@@ -155,15 +155,18 @@ int run(int argc, char** argv)
     }
 
     Session session;
-    const EndSignals signalled([&session](int number) {
+    std::optional<int> ended;
+    const EndSignals signalled([&session, &ended](int number) {
         session.leaveWork();
         constexpr int kSignalled = 128; // as shells count
-        QApplication::exit(kSignalled + number);
+        ended = kSignalled + number;
+        QApplication::exit(*ended);
     });
     QObject::connect(&application, &QGuiApplication::commitDataRequest, &session, &Session::keepWork);
     QObject::connect(&application, &QCoreApplication::aboutToQuit, &session, &Session::end);
     session.start(parser.positionalArguments());
-    return QApplication::exec();
+    // A signal may come while a file that is opened has a question, whose loop of events it ends and not this one.
+    return ended ? *ended : QApplication::exec();
 }
 
 } // namespace
