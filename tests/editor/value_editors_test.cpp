@@ -3,6 +3,7 @@
 #include "tests/pictures.h"
 
 #include "ui/panels/angle_dial.h"
+#include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
 #include "ui/panels/gradient_presets.h"
 #include "ui/panels/number_field.h"
