@@ -18,7 +18,7 @@ using namespace fumage::tests;
 namespace {
 
 constexpr int kEdge = 24;
-constexpr int kEndMs = 60000; ///< what is done by then on a busy machine
+constexpr int kEndMs = 240000; ///< what is done by then on a busy machine
 
 Preset tinyPreset(const std::string& name)
 {
