@@ -88,9 +88,8 @@ private slots:
         preset.scene.layers[0].emitter.count = 300;
         preset.scene.output.width = preset.scene.output.height = 32;
         QVERIFY(writePresetFile(folder.filePath("deep/my.json").toStdString(), preset).ok());
-        const std::string list =
-            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"name": "A", )"
-            R"("preset": "missing.json", "kind": "picture", "output": "a.png"},
+        const std::string list = R"({"format": "fumage-jobs", "version": 1, "jobs": [{"name": "A", )"
+                                 R"("preset": "missing.json", "kind": "picture", "output": "a.png"},
             {"name": "B", "preset": "my.json", "kind": "picture", "frames": "5", "output": "out/b.png"},
             {"name": "C", "preset": "my.json", "frames": "5-6", "output": "jj_%04d.png"}]})";
         QVERIFY(writeFileAtomically(folder.filePath("deep/jobs.json").toStdString(), list).ok());

@@ -164,9 +164,9 @@ private slots:
 
     void whatVersion1DoesNotKnowIsKept()
     {
-        const Result<PresetReading> read = parsePreset(
-            R"({"format": "fumage-preset", "version": 1, "later": [1], "motion": {"gusto": 2}, )"
-            R"("air": {"mist": 3}, "light": {"emission": 4, "laser": 5}})");
+        const Result<PresetReading> read =
+            parsePreset(R"({"format": "fumage-preset", "version": 1, "later": [1], "motion": {"gusto": 2}, )"
+                        R"("air": {"mist": 3}, "light": {"emission": 4, "laser": 5}})");
         QVERIFY(read.ok());
         QCOMPARE(read.value().preset.scene.layers[0].glow.emission, 4.0F);
         QCOMPARE(read.value().preset.unknown.size(), std::size_t(4));

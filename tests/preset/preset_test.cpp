@@ -173,8 +173,9 @@ private slots:
         row("nested vector", kHead + R"("emitter": {"normal": [[0, 1, 0]]}})", ErrorCode::WrongType);
         row("empty curve", kHead + R"("life": {"size": []}})", ErrorCode::WrongType);
         row("seventeen points",
-            kHead + R"("life": {"size": [[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],)"
-                    R"([0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0]]}})",
+            kHead
+                + R"("life": {"size": [[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],)"
+                  R"([0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0]]}})",
             ErrorCode::WrongType);
         row("unknown choice", kHead + R"("emitter": {"shape": "cube"}})", ErrorCode::UnknownName);
         row("NaN", kHead + R"("motion": {"wind": NaN}})", ErrorCode::NotFinite);
