@@ -44,7 +44,7 @@ cat > toolchain.cmake <<EOF
 include($here/toolchain.cmake)
 set(CMAKE_FIND_ROOT_PATH $qt /usr/x86_64-w64-mingw32)
 EOF
-off=(sql dbus network xml concurrent printsupport tabletevent vulkan zstd icu glib openssl qmake androiddeployqt system_zlib accessibility_atspi_bridge direct2d direct2d1_1)
+off=(sql dbus network xml concurrent printsupport tabletevent vulkan zstd icu glib openssl qmake androiddeployqt system_zlib accessibility_atspi_bridge direct2d1_1) # without direct2d 1.0 DirectWrite misses a source
 within=(freetype harfbuzz pcre doubleconversion libpng libjpeg)
 features=()
 for feature in "${off[@]}"; do
