@@ -62,7 +62,8 @@ private:
 
     void fitViewBox()
     {
-        const QList<QStringView> numbers = QStringView(text("viewBox")).split(u' ');
+        const QString box = text("viewBox"); // lives as long as the views of it
+        const QList<QStringView> numbers = QStringView(box).split(u' ');
         if (numbers.size() != 4) {
             return;
         }
