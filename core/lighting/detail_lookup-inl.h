@@ -56,9 +56,15 @@ HWY_INLINE hn::Mask<D> showsFirst(D d, const DetailField& detail, const Advected
     constexpr glm::vec3 kElsewhere{0.37F, 0.71F, 0.13F}; // tiles: not by what the phase itself shows there
     constexpr float kLoose = 0.1F;
     const float weight = (*detail.phases)[0].weight;
+    // Noise goes a little beyond 0 and 1: one that is not looked at is nowhere, also there.
+    constexpr float kNowhere = -1.0F;
+    constexpr float kEverywhere = 2.0F;
+    const float share = weight < kMinPhaseWeight       ? kNowhere
+        : (*detail.phases)[1].weight < kMinPhaseWeight ? kEverywhere
+                                                       : weight * weight;
     const Vec3<V> tiles = inFirst.place * detail.tilesPerMetre + (detail.shift[0] + kElsewhere);
     const V even = noiseAt(d, *detail.texture, 0, tiles) * 0.5F + 0.5F;
-    return hn::Lt(even + (random - even) * kLoose, hn::Set(d, weight * weight));
+    return hn::Lt(even + (random - even) * kLoose, hn::Set(d, share));
 }
 
 /// Places in the phase that each shows, where each is to show one.

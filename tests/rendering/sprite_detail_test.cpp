@@ -2,6 +2,9 @@
 
 #include "core/lighting/detail_field.h"
 
+#include <array>
+#include <cmath>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -25,9 +28,9 @@ Effect detailed()
 /// What is drawn of a frame.
 class Drawing {
 public:
-    explicit Drawing(const Effect& effect, int edge = kEdge)
+    explicit Drawing(const Effect& effect, int edge = kEdge, int frame = 17)
         : m_effect(sampled(effect))
-        , m_frame(frameOf(effect, 17))
+        , m_frame(frameOf(effect, frame))
         , m_edge(edge)
     {
     }
@@ -113,6 +116,31 @@ private slots:
         QVERIFY(drawing.weight(0) != drawing.weight(1));
         const double share = static_cast<double>(drawing.weight(0)) * static_cast<double>(drawing.weight(0));
         QVERIFY(near(static_cast<double>(first) / one, share, 0.15)); // coarse noise over few waves decides
+    }
+
+    /// At the step at which a phase begins it is not seen yet, and no sprite of a picture that moves chooses it, also
+    /// not where the noise that decides goes a little beyond its ends.
+    void aPhaseThatIsNotSeenIsNotChosen()
+    {
+        int begun = 0;
+        for (int frame = 10; frame < 30; ++frame) {
+            Drawing drawing(detailed(), 800, frame);
+            std::array<int, 2> chosen{};
+            forShown(drawing.as(PhaseMix::Choose), [&](const Sprite& sprite, const SpriteDetail& detail) {
+                QVERIFY(std::isfinite(detail.gain) && std::isfinite(sprite.opacity));
+                if (detail.shown[0] != 0) {
+                    ++chosen[detail.phases[0].weight == drawing.weight(0) ? 0 : 1];
+                }
+            });
+            for (std::size_t phase = 0; phase < chosen.size(); ++phase) {
+                if (drawing.weight(phase) < kMinPhaseWeight) {
+                    ++begun;
+                    QCOMPARE(chosen[phase], 0);
+                    QVERIFY(chosen[1 - phase] > 100);
+                }
+            }
+        }
+        QVERIFY(begun > 1);
     }
 
     void whatMovedLeavesNoTrace()
