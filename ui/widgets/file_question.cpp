@@ -43,7 +43,7 @@ QString askInDialog(QWidget* parent, const FileQuestion& question)
     dialog.setDefaultSuffix(question.ending);
     while (dialog.exec() == QDialog::Accepted) {
         const QString chosen = dialog.selectedFiles().constFirst();
-        const QString path = completed(chosen, question);
+        QString path = completed(chosen, question);
         // The dialog has asked about the name as it was typed.
         if (path == chosen || question.mayReplace || !QFileInfo::exists(path) || mayReplace(path, dialog)) {
             return path;
