@@ -1,6 +1,7 @@
 // Particles that are dragged through the air, or that no air touches.
 
 #include "tests/helpers.h"
+#include "tests/simulation/flying.h"
 
 #include "core/base/parallel.h"
 
@@ -13,35 +14,6 @@ using namespace fumage::tests;
 namespace {
 
 constexpr float kGravity = 9.81F;
-
-/// Air at rest, with particles that only fly.
-Effect flying(Coupling coupling)
-{
-    Effect effect;
-    effect.emitter.count = 300;
-    effect.emitter.mode = EmissionMode::Burst;
-    effect.emitter.burstDuration = 0.0F;
-    effect.emitter.subframe = false;
-    effect.emitter.position = {0.0F, 2.0F, 0.0F};
-    effect.emitter.speed = 3.0F;
-    effect.emitter.spread = 40.0F;
-    effect.source.feeds = false;
-    effect.motion = {};
-    effect.motion.drag = 0.0F;
-    effect.motion.pull = 0.0F;
-    effect.motion.coupling = coupling;
-    effect.wind.strength = 0.0F;
-    effect.turbulence.strength = 0.0F;
-    effect.vortex.strength = 0.0F;
-    effect.air.enabled = true;
-    effect.air.resolution = kMinAirResolution;
-    effect.air.turbulence = 0.0F;
-    effect.life.fadeRate = 0.01F;
-    effect.life.lifetimeVariance = 0.0F;
-    effect.look.deformation = 0.0F;
-    effect.look.roll = 0.0F;
-    return effect;
-}
 
 template <class Visit>
 void forLiving(const Particles& particles, const Visit& visit)

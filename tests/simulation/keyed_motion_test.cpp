@@ -1,6 +1,7 @@
 // What moves particles and changes over time: turbulence that drifts and becomes another, obstacles that move.
 
 #include "tests/helpers.h"
+#include "tests/simulation/flying.h"
 
 #include "core/base/hash.h"
 #include "core/effect/known_parameter.h"
@@ -59,31 +60,11 @@ std::vector<float> upwards(const SimulationModel& model, std::int64_t step, doub
 /// Particles that hang in the air, which nothing moves.
 Effect hanging(Coupling coupling)
 {
-    Effect effect;
-    effect.emitter.count = 300;
-    effect.emitter.mode = EmissionMode::Burst;
-    effect.emitter.burstDuration = 0.0F;
-    effect.emitter.subframe = false;
-    effect.emitter.position = {0.0F, 2.0F, 0.0F};
+    Effect effect = flying(coupling);
     effect.emitter.speed = 0.0F;
-    effect.source.feeds = false;
-    effect.motion = {};
-    effect.motion.drag = 0.0F;
-    effect.motion.pull = 0.0F;
-    effect.motion.coupling = coupling;
     effect.motion.restitution = 0.5F;
     effect.motion.friction = 0.0F;
-    effect.wind.strength = 0.0F;
-    effect.turbulence.strength = 0.0F;
-    effect.vortex.strength = 0.0F;
-    effect.air.enabled = true;
-    effect.air.resolution = kMinAirResolution;
-    effect.air.turbulence = 0.0F;
     effect.air.obstacleSize = glm::vec3(1.0F);
-    effect.life.fadeRate = 0.01F;
-    effect.life.lifetimeVariance = 0.0F;
-    effect.look.deformation = 0.0F;
-    effect.look.roll = 0.0F;
     return effect;
 }
 
