@@ -68,7 +68,7 @@ private slots:
     void whatThePersonOrAnotherVersionHasWrittenStaysWithinBounds()
     {
         const char* keys[] = {"viewport/megabytes", "cache/megabytes", "compute/threads", "face/theme",
-            "viewport/navigation", "viewport/opengl"};
+            "viewport/navigation", "viewport/opengl", "timeline/graphHeight"};
         for (const QVariant& broken :
             {QVariant(-5), QVariant(1000000), QVariant(u"many"_q), QVariant(QByteArray("\0\xff", 2))}) {
             {
@@ -89,6 +89,7 @@ private slots:
             if (broken.toString() == u"many"_q) { // no number: as nobody had chosen
                 QCOMPARE(settings.pictureMegabytes(), Settings::kUsualPictureMegabytes);
                 QCOMPARE(settings.threads(), 0);
+                QCOMPARE(settings.graphHeight(170), 170);
             }
         }
         QSettings file(QSettings::IniFormat, QSettings::UserScope, u"fumage"_q, u"fumage"_q);

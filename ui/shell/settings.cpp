@@ -3,6 +3,7 @@
 #include "ui/shell/portable.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <QDir>
 #include <QFileInfo>
@@ -160,7 +161,7 @@ void Settings::setShowsGraph(bool shows)
 
 int Settings::graphHeight(int usual) const
 {
-    return m_settings.value(kGraphHeight, usual).toInt();
+    return number(kGraphHeight, usual, 0, std::numeric_limits<int>::max()); // it is fitted where it is shown
 }
 
 void Settings::setGraphHeight(int height)
