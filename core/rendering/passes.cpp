@@ -41,8 +41,9 @@ Result<PassSet> parsePasses(std::string_view text)
         return Error{
             ErrorCode::OutOfRange, makeMessage("no pass is asked for"), {}, makeMessage("Write colour,six-way,motion")};
     }
-    for (std::size_t i = 0; i < splitCount(text, ','); ++i) {
-        const std::string_view word = trimmed(splitPart(text, ',', i));
+    Parts parts(text, ',');
+    while (const std::optional<std::string_view> part = parts.next()) {
+        const std::string_view word = trimmed(*part);
         const PassSet called = passesCalled(word);
         if (called == PassSet()) {
             return Error{ErrorCode::UnknownName, makeMessage("there is no pass %1", inQuotes(word)), {},

@@ -99,7 +99,7 @@ bool SimulationModel::jumpsBetween(const Parameter& row, double from, double to)
     if (now >= before) {
         return track->jumpsIn(before, now);
     }
-    const double end = static_cast<double>(m_effect->timeline.length) / m_effect->timeline.frameRate;
+    const double end = lengthInSeconds(m_effect->timeline);
     return track->at(end) != track->at(0.0) || track->jumpsIn(before, end) || track->jumpsIn(0.0, now);
 }
 

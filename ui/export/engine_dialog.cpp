@@ -239,11 +239,13 @@ void EngineDialog::browse()
 ExportPlan EngineDialog::prepare(Engine engine)
 {
     const Output& output = m_document.scene().output;
-    const auto [width, height] = cellsWithin(choice().edge, recommendedPlan(engine, m_document, folder()), output);
-    if (width != output.width || height != output.height) {
-        m_document.edit({{&knownParameter("output.width"), width}, {&knownParameter("output.height"), height}},
-            tr("Size of cells"));
+    ExportPlan plan = recommendedPlan(engine, m_document, folder());
+    const auto [width, height] = cellsWithin(choice().edge, plan, output);
+    if (width == output.width && height == output.height) {
+        return plan;
     }
+    m_document.edit(
+        {{&knownParameter("output.width"), width}, {&knownParameter("output.height"), height}}, tr("Size of cells"));
     return recommendedPlan(engine, m_document, folder());
 }
 
