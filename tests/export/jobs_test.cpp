@@ -185,9 +185,9 @@ private slots:
     {
         QVERIFY(writeFileAtomically(at("broken.json"), "{\"format\": 3").ok());
         QVERIFY(writePresetFile(at("good.json"), smallPreset()).ok());
-        const std::string list =
-            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a.png", "kind": "picture", "preset": "none.json"}, )"
-            R"({"output": "b.png", "kind": "picture", "preset": "good.json"},
+        const std::string list = R"({"format": "fumage-jobs", "version": 1, "jobs": [)"
+                                 R"({"output": "a.png", "kind": "picture", "preset": "none.json"}, )"
+                                 R"({"output": "b.png", "kind": "picture", "preset": "good.json"},
             {"output": "c.png", "kind": "picture", "preset": "broken.json"},
             {"output": "d.png", "kind": "picture", "preset": "campfir"}]})";
         const JobsReading reading = parseJobs(list, "list.json", at("")).value();
