@@ -157,6 +157,32 @@ double folded(double time, double length, Extrapolation how)
     return there > length ? 2.0 * length - there : there;
 }
 
+/// Which of their turns the keys are in at a time: 0 from the first to the last of them, and where they do not repeat.
+double turnOf(const Track& track, double seconds)
+{
+    const double first = track.keys.front().seconds;
+    const double last = track.keys.back().seconds;
+    const Extrapolation how = seconds < first ? track.before : track.after;
+    if ((seconds >= first && seconds <= last) || !(last > first) || how == Extrapolation::Hold) {
+        return 0.0;
+    }
+    const double length = last - first;
+    return std::round((seconds - first - folded(seconds - first, length, Extrapolation::Loop)) / length);
+}
+
+/// Whether a held key ends in (from, to], which lies among the keys, with another value after it.
+bool jumpsAmongKeys(const Track& track, double from, double to)
+{
+    for (std::size_t key = 0; key + 1 < track.keys.size(); ++key) {
+        const double seconds = track.keys[key + 1].seconds;
+        const bool isHeld = track.keys[key].ease == Ease::Hold || !interpolates(track.parameter->kind);
+        if (isHeld && from < seconds && seconds <= to && track.keys[key].value != track.keys[key + 1].value) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool isFinite(const Parameter& parameter, const KeyFrame& key)
 {
     if (!std::isfinite(key.seconds)) {
@@ -264,26 +290,29 @@ Value Track::at(double seconds) const
 
 bool Track::jumpsIn(double from, double to) const
 {
-    const double length = keys.back().seconds - keys.front().seconds;
-    const bool isOutside = to < keys.front().seconds || from >= keys.back().seconds;
-    if (isOutside && length > 0.0) {
-        const Extrapolation how = to < keys.front().seconds ? before : after;
-        const auto lap = [&](double seconds) { return std::floor((seconds - keys.front().seconds) / length); };
-        if (how == Extrapolation::Loop && lap(from) != lap(to)) {
-            return keys.front().value != keys.back().value;
-        }
-    }
+    const double one = turnOf(*this, from);
+    const double other = turnOf(*this, to);
     const double begin = timeAmongKeys(*this, from);
     const double end = timeAmongKeys(*this, to);
-    for (std::size_t key = 0; key + 1 < keys.size(); ++key) {
-        const double seconds = keys[key + 1].seconds;
-        const bool isHeld = keys[key].ease == Ease::Hold || !interpolates(parameter->kind);
-        if (isHeld && std::min(begin, end) < seconds && seconds <= std::max(begin, end)
-            && keys[key].value != keys[key + 1].value) {
-            return true;
-        }
+    if (one == other) {
+        return jumpsAmongKeys(*this, std::min(begin, end), std::max(begin, end));
     }
-    return false;
+    const double first = keys.front().seconds;
+    const double last = keys.back().seconds;
+    const bool loops =
+        (one < 0.0 ? before : after) == Extrapolation::Loop || (other > 0.0 ? after : before) == Extrapolation::Loop;
+    if (loops && keys.front().value != keys.back().value) {
+        return true;
+    }
+    if (other - one > 1.0) {
+        return jumpsAmongKeys(*this, first, last);
+    }
+    if (loops) {
+        return jumpsAmongKeys(*this, begin, last) || jumpsAmongKeys(*this, first, end);
+    }
+    const bool turnsAtLast = std::fmod(one, 2.0) == 0.0;
+    return turnsAtLast ? jumpsAmongKeys(*this, std::min(begin, end), last)
+                       : jumpsAmongKeys(*this, first, std::max(begin, end));
 }
 
 bool Track::isConstant() const

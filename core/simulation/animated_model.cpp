@@ -4,6 +4,7 @@
 
 #include "core/base/vector.h"
 #include "core/effect/known_parameter.h"
+#include "core/effect/track_jumps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,11 +97,7 @@ bool SimulationModel::jumpsBetween(const Parameter& row, double from, double to)
     }
     const double before = std::max(0.0, secondsOfStep(m_schedule, m_effect->timeline, from));
     const double now = std::max(0.0, secondsOfStep(m_schedule, m_effect->timeline, to));
-    if (now >= before) {
-        return track->jumpsIn(before, now);
-    }
-    const double end = lengthInSeconds(m_effect->timeline);
-    return track->at(end) != track->at(0.0) || track->jumpsIn(before, end) || track->jumpsIn(0.0, now);
+    return jumpsOnWay(*track, before, now, lengthInSeconds(m_effect->timeline));
 }
 
 Spawner SimulationModel::spawnerAt(std::int64_t step) const

@@ -213,6 +213,33 @@ private slots:
         QVERIFY(meanOf(comingAt(2.0F)) > meanOf(still) + 0.04); // its front comes to -0.17
     }
 
+    void nothingIsBornOnTheWayBackToTheFirstKey()
+    {
+        Effect effect = thesisEffect(6000);
+        effect.emitter.width = 0.0F;
+        effect.emitter.depth = 0.0F;
+        effect.emitter.speed = 0.0F;
+        effect.emitter.subframe = true;
+        Track way{&knownParameter("emitter.position"),
+            {{0.0, glm::vec3(0.0F), Ease::Linear}, {1.0, glm::vec3(9.0F, 0.0F, 0.0F)}}};
+        way.after = Extrapolation::Loop;
+        Tracks tracks;
+        tracks.set(way);
+        Simulator simulator(sampled(effect, tracks));
+        for (const int number : {31, 61, 91}) {
+            const auto frame = simulator.frame(number).value();
+            const Particles& p = frame->particles;
+            int born = 0;
+            for (std::size_t i = 0; i < p.capacity; ++i) {
+                if (p.birthStep[i] == static_cast<std::int32_t>(frame->step)) {
+                    QVERIFY(p.x[i] < 0.5F); // a step takes it 0.3 m far
+                    ++born;
+                }
+            }
+            QVERIFY(born > 20);
+        }
+    }
+
     void aPlayedFrameIsTheOneAlone()
     {
         Effect effect = hanging(Coupling::Carried);
