@@ -43,6 +43,9 @@ public:
     void setTarget(const EmitterPose& target) { m_target = target; }
     /// Puts it there at once.
     void placeAtTarget() { m_pose = m_reached = m_target; }
+    /// The same of its position alone, and of its normal.
+    void jumpToPosition() { m_pose.position = m_reached.position = m_target.position; }
+    void jumpToNormal() { m_pose.normal = m_reached.normal = m_target.normal; }
     [[nodiscard]] const EmitterPose& target() const { return m_target; }
     /// Lets it have come there.
     void arrive() { m_reached = m_target; }

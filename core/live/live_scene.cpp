@@ -93,7 +93,7 @@ Status LiveScene::begin()
         m_frames.push_back({&m_layers[layer].frame(), &m_layers[layer].effect()});
     }
     if (hasTracks()) {
-        animate(0.0); // after room was made for what the parameters say by themselves, which is no less
+        animate(0.0, 0.0); // after room was made for what the parameters say by themselves, which is no less
         for (LiveLayer& layer : m_layers) {
             layer.placeAtTarget();
         }
@@ -167,28 +167,6 @@ void LiveScene::setEffects()
     outdateLight();
 }
 
-bool LiveScene::hasTracks() const
-{
-    return !m_scene.tracks.empty() || std::any_of(m_scene.layers.begin(), m_scene.layers.end(), [](const Layer& layer) {
-        return !layer.tracks.empty();
-    });
-}
-
-void LiveScene::animate(double seconds)
-{
-    const Timeline& timeline = m_scene.timeline;
-    if (timeline.loop) {
-        seconds = std::fmod(seconds, m_stepSeconds * timeline.stepsPerFrame * timeline.length);
-    }
-    Scene now = m_scene;
-    for (std::size_t layer = 0; layer < m_layers.size(); ++layer) {
-        now.assign(layer, m_scene.effectAt(layer, seconds));
-        followEmitter(layer, m_scene.layers[layer].emitter, now.layers[layer].emitter);
-    }
-    m_scene = std::move(now);
-    setEffects();
-}
-
 Result<int> LiveScene::step(double seconds)
 {
     if (!(seconds >= 0.0) || !std::isfinite(seconds)) {
@@ -208,7 +186,8 @@ Result<int> LiveScene::step(double seconds)
     // time that is let go takes its part of the emitters' way with it
     const double stretch = steps > 0 ? whole / steps : 1.0;
     if (steps > 0 && hasTracks()) {
-        animate(static_cast<double>(m_step + steps) * m_stepSeconds);
+        animate(static_cast<double>(std::max<std::int64_t>(0, m_step)) * m_stepSeconds,
+            static_cast<double>(m_step + steps) * m_stepSeconds);
     }
     for (int i = 1; i <= steps; ++i) {
         const double share = seconds > 0.0 ? (i * stretch * m_stepSeconds - before) / seconds : 1.0;

@@ -167,9 +167,9 @@ private:
     void followEmitter(std::size_t layer, const Emitter& before, const Emitter& now);
     /// Whether anything changes over time by key frames.
     [[nodiscard]] bool hasTracks() const;
-    /// Sets what key frames say, and sends emitters along their ways.
-    /// @param seconds since the start
-    void animate(double seconds);
+    /// Sets what key frames say, and sends emitters along their ways; where they jump they are there at once.
+    /// @param before,seconds since the start: what was set last, and what is set now; 0 or more
+    void animate(double before, double seconds);
     void stepOnce(double share);
     void stepAir(double share);
     void outdateLight();

@@ -80,6 +80,33 @@ private slots:
         QVERIFY(seen > 900);
     }
 
+    void nothingIsBornWhereTheEmitterJumps_data()
+    {
+        QTest::addColumn<QString>("keys");
+        QTest::newRow("a held key") << "emitter.position=0:0,0,0:hold; 0.5:3,0,0";
+        QTest::newRow("the end of the loop") << "emitter.position=0:0,0,0; 0.49:0,0,0:hold; 0.5:3,0,0; 1:3,0,0";
+        QTest::newRow("keys again") << "emitter.position=0:0,0,0; 0.2:0,0,0:hold; 0.21:3,0,0; 0.4:3,0,0; after=loop";
+    }
+    void nothingIsBornWhereTheEmitterJumps()
+    {
+        QFETCH(QString, keys);
+        Scene scene = animated(dots(6000), keys.toUtf8().constData());
+        scene.timeline.loop = true;
+        scene.timeline.length = 30;
+        LiveScene live = started(scene);
+        play(live, 75);
+        const Particles& particles = live.particles(0);
+        int there = 0;
+        for (std::size_t i = 0; i < particles.capacity; ++i) {
+            if (particles.birthStep[i] != Particles::kUnborn) {
+                QVERIFY(particles.x[i] == 0.0F || particles.x[i] == 3.0F);
+                there += particles.x[i] == 3.0F ? 1 : 0;
+            }
+        }
+        QVERIFY(there > 600);
+        QVERIFY(static_cast<std::size_t>(there) + 600 < live.living());
+    }
+
     void aLoopStartsAgain()
     {
         Scene scene = animated(dots(3000), "emitter.rate=0:1:hold; 0.5:0");

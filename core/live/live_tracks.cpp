@@ -1,0 +1,47 @@
+// What of a scene that a game plays changes over time by key frames.
+
+#include "core/effect/known_parameter.h"
+#include "core/effect/track_jumps.h"
+#include "core/live/live_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+bool LiveScene::hasTracks() const
+{
+    return !m_scene.tracks.empty() || std::any_of(m_scene.layers.begin(), m_scene.layers.end(), [](const Layer& layer) {
+        return !layer.tracks.empty();
+    });
+}
+
+void LiveScene::animate(double before, double seconds)
+{
+    const double end = m_stepSeconds * m_scene.timeline.stepsPerFrame * m_scene.timeline.length;
+    if (m_scene.timeline.loop) {
+        before = std::fmod(before, end);
+        seconds = std::fmod(seconds, end);
+    }
+    Scene now = m_scene;
+    for (std::size_t layer = 0; layer < m_layers.size(); ++layer) {
+        now.assign(layer, m_scene.effectAt(layer, seconds));
+        const Emitter& from = m_scene.layers[layer].emitter;
+        const Emitter& to = now.layers[layer].emitter;
+        followEmitter(layer, from, to);
+        const auto jumps = [&](const Parameter& row) {
+            const Track* track = m_scene.layers[layer].tracks.find(row);
+            return track != nullptr && jumpsOnWay(*track, before, seconds, end);
+        };
+        if (to.position != from.position && jumps(knownParameter("emitter.position"))) {
+            m_layers[layer].jumpToPosition();
+        }
+        if (to.normal != from.normal && jumps(knownParameter("emitter.normal"))) {
+            m_layers[layer].jumpToNormal();
+        }
+    }
+    m_scene = std::move(now);
+    setEffects();
+}
+
+} // namespace fumage
