@@ -17,6 +17,13 @@ constexpr std::int64_t ceilDivide(std::int64_t a, std::int64_t b)
     return (a + b - 1) / b;
 }
 
+/// part / whole of a number, rounded up. The product of the two may be more than an integer holds.
+/// @param part 0 to whole
+constexpr std::int64_t shareOf(std::int64_t number, std::int64_t part, std::int64_t whole)
+{
+    return number / whole * part + ceilDivide(number % whole * part, whole);
+}
+
 std::int64_t wholeSteps(double seconds, double dt)
 {
     // 5 s in steps of 1/30 s are 150 steps although the quotient of the floats is a hair more.
@@ -42,7 +49,7 @@ std::int64_t Schedule::birthsBefore(std::int64_t step) const
     }
     const std::int64_t period = step / periodSteps;
     const std::int64_t within = std::min(step - period * periodSteps, windowSteps);
-    return period * birthsPerPeriod + ceilDivide(within * birthsPerPeriod, windowSteps);
+    return period * birthsPerPeriod + shareOf(birthsPerPeriod, within, windowSteps);
 }
 
 std::int64_t Schedule::birthIndex(std::int64_t step, std::int64_t slot, std::int64_t slots) const
@@ -181,9 +188,12 @@ constexpr const Parameter& kRate = knownParameter("emitter.rate");
 /// each step.
 BirthTable birthTable(const Track& track, const Schedule& schedule, const Timeline& timeline)
 {
-    constexpr double kWhole = 0x1p20; // of a weight of 1
+    constexpr std::int64_t kWhole = std::int64_t{1} << 20; // of a weight of 1
     const std::int64_t steps = changingSteps(schedule, timeline, track);
-    const std::int64_t one = schedule.windowSteps * static_cast<std::int64_t>(kWhole);
+    const std::int64_t one = schedule.windowSteps * kWhole;
+    // Of births, apart: the product of all of them and a weight may be more than an integer holds.
+    const std::int64_t eachStep = schedule.birthsPerPeriod / schedule.windowSteps;
+    const std::int64_t beside = schedule.birthsPerPeriod % schedule.windowSteps;
     BirthTable table;
     table.before.reserve(static_cast<std::size_t>(steps) + 1);
     std::int64_t born = 0;
@@ -194,9 +204,11 @@ BirthTable birthTable(const Track& track, const Schedule& schedule, const Timeli
         // What appears at a step was born in the time before it.
         const double seconds = std::max(0.0, secondsOfStep(schedule, timeline, static_cast<double>(step) - 0.5));
         const bool emits = step % schedule.periodSteps < schedule.windowSteps;
-        weight = emits ? std::llround(kWhole * static_cast<double>(std::get<float>(track.at(seconds)))) : 0;
-        rest += weight * schedule.birthsPerPeriod;
-        born += rest / one;
+        weight = emits
+            ? std::llround(static_cast<double>(kWhole) * static_cast<double>(std::get<float>(track.at(seconds))))
+            : 0;
+        rest += weight * eachStep % kWhole * schedule.windowSteps + weight * beside;
+        born += weight * eachStep / kWhole + rest / one;
         rest %= one;
     }
     table.before.push_back(born + (rest > 0 ? 1 : 0));

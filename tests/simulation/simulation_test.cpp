@@ -1,9 +1,11 @@
 #include "tests/helpers.h"
 
 #include "core/base/hash.h"
+#include "core/effect/known_parameter.h"
 #include "core/simulation/step.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -81,6 +83,29 @@ private slots:
                 }
             }
         }
+    }
+
+    void birthsAreCountedAtTheEndsOfTheRanges()
+    {
+        Effect effect = thesisEffect(kMaxParticles);
+        effect.timeline.loop = true;
+        effect.timeline.length = 100'000;
+        effect.timeline.stepsPerFrame = 32;
+        effect.life.initialAlpha = 0.001F;
+        effect.life.fadeRate = 100.0F; // a step
+        constexpr std::int64_t kEach = kMaxParticles;
+        const Schedule s = makeSchedule(sampled(effect));
+        QCOMPARE(s.lifetimeSteps, std::int64_t{1});
+        for (const std::int64_t step : {s.loopSteps / 4, s.loopSteps / 2, s.loopSteps - 1, s.loopSteps}) {
+            QCOMPARE(s.birthsBefore(step), kEach * step);
+        }
+        Tracks halved;
+        const double middle = 0.5 * lengthInSeconds(effect.timeline);
+        halved.set({&knownParameter("emitter.rate"), {{0.0, 1.0F, Ease::Hold}, {middle, 0.5F}}});
+        const Schedule keyed = makeSchedule(sampled(effect, halved));
+        const std::int64_t quarter = keyed.loopSteps / 4;
+        QVERIFY(std::abs(keyed.birthsBefore(quarter) - kEach * quarter) <= kEach);
+        QVERIFY(std::abs(keyed.birthsBefore(keyed.loopSteps) - kEach * quarter * 3) <= kEach);
     }
 
     void aBurstIsBornWithinItsDuration()
