@@ -340,15 +340,29 @@ AirPlan airPlan(SampledLayers layers)
     return plan;
 }
 
+namespace {
+
+/// Whether the air is another one where the timeline is longer. What does not loop goes on for ever, and its length is
+/// that of the pictures; but rates whose keys repeat are summed up as far as it goes.
+bool lengthMatters(const SampledEffect& effect)
+{
+    const std::span<const Track> tracks = effect.allTracks();
+    return effect->timeline.loop || std::any_of(tracks.begin(), tracks.end(), [](const Track& track) {
+        return track.parameter->animates == Animates::Rate && track.parameter->dirties == DirtyStage::Air
+            && track.after != Extrapolation::Hold;
+    });
+}
+
+} // namespace
+
 std::vector<AirPart> airParts(SampledLayers layers)
 {
     std::vector<AirPart> parts;
     for (const std::size_t layer : feedingLayers(layers)) {
         AirPart& part = parts.emplace_back();
         for (const Parameter& parameter : parameterTable()) {
-            // What does not loop goes on for ever: its length is that of the pictures.
             if (parameter.dirties == DirtyStage::Air
-                && (layers[layer]->timeline.loop || &parameter != &knownParameter("timeline.length"))) {
+                && (lengthMatters(layers[layer]) || &parameter != &knownParameter("timeline.length"))) {
                 parameter.set(part.effect, parameter.get(layers[layer]));
             }
         }

@@ -7,6 +7,7 @@
 #include "core/effect/known_parameter.h"
 #include "core/live/live_scene.h"
 #include "core/scene/key_assignment.h"
+#include "core/simulation/air_cache.h"
 #include "core/simulation/step.h"
 
 #include <algorithm>
@@ -238,6 +239,24 @@ private slots:
             }
             QVERIFY(born > 20);
         }
+    }
+
+    void airWhoseRatesRepeatIsAnotherInALongerTimeline()
+    {
+        Effect effect = hanging(Coupling::Carried);
+        effect.timeline.loop = false;
+        effect.wind.gust = 0.5F;
+        Track rate{&knownParameter("wind.gust_rate"), {{0.0, 0.5F, Ease::Linear}, {1.0, 3.0F}}};
+        AirCache shelf(4);
+        const auto airOf = [&](int length) {
+            effect.timeline.length = length;
+            Tracks tracks;
+            tracks.set(rate);
+            return shelf.airOf(sampled(effect, tracks));
+        };
+        QVERIFY(airOf(30) == airOf(300)); // it goes on as it is at the last key
+        rate.after = Extrapolation::Loop;
+        QVERIFY(airOf(30) != airOf(300));
     }
 
     void aPlayedFrameIsTheOneAlone()
