@@ -1,5 +1,6 @@
 #include "core/live/live_scene.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/live/live_changes.h"
 #include "core/simulation/air_plan.h"
 
@@ -77,6 +78,11 @@ LiveScene::LiveScene(const Scene& scene, const LiveOptions& options)
 Status LiveScene::begin()
 {
     m_sampled.resize(m_visible.size());
+    for (Layer& layer : m_scene.layers) {
+        if (layer.tracks.find(knownParameter("emitter.rate")) != nullptr) {
+            layer.emitter.rate = 1.0F; // room is made for as many as its key frames may let live
+        }
+    }
     sampleVisible();
     if (m_scene.air.enabled && !m_sampled.empty()) {
         if (Status status = checkAir(m_sampled); !status) {
@@ -93,7 +99,7 @@ Status LiveScene::begin()
         m_frames.push_back({&m_layers[layer].frame(), &m_layers[layer].effect()});
     }
     if (hasTracks()) {
-        animate(0.0, 0.0); // after room was made for what the parameters say by themselves, which is no less
+        animate(0.0, 0.0);
         for (LiveLayer& layer : m_layers) {
             layer.placeAtTarget();
         }

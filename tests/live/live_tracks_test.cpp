@@ -64,6 +64,17 @@ private slots:
         QCOMPARE(off.living(), std::size_t{0});
     }
 
+    void thereIsRoomForAllThatKeysLetLive()
+    {
+        Scene scene = animated(dots(30000), "emitter.rate=0:0:linear; 2:1");
+        LiveScene usual = started(scene);
+        scene.layers.front().emitter.rate = 0.0F; // what it has beside its key frames means nothing
+        LiveScene none = started(scene);
+        play(usual, 60);
+        play(none, 60);
+        QVERIFY(sameBits(usual.particles(0), none.particles(0)));
+    }
+
     void theEmitterGoesItsWay()
     {
         LiveScene live = started(animated(dots(6000), "emitter.position=0:0,0,0:linear; 1:3,0,0"));
