@@ -3,6 +3,7 @@
 #include "tests/helpers.h"
 #include "tests/lighting/clouds.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/system/file.h"
 #include "core/export/data/vdb_file.h"
 #include "core/preset/library.h"
@@ -82,7 +83,7 @@ Effect growing()
 /// The files of frames, read again.
 class Written {
 public:
-    Written(const Effect& effect, const FrameRange& frames, std::optional<float> voxel = {}, UpAxis up = UpAxis::Z)
+    Written(const Scene& scene, const FrameRange& frames, std::optional<float> voxel = {}, UpAxis up = UpAxis::Z)
         : m_frames(frames)
     {
         VolumeSequenceOptions options;
@@ -91,7 +92,7 @@ public:
         options.longest = 24;
         options.voxel = voxel;
         options.up = up;
-        const Result<float> used = writeVolumes(effect, options);
+        const Result<float> used = writeVolumes(scene, options);
         if (!used) {
             qFatal("%s", used.error().text().c_str());
         }
@@ -158,6 +159,42 @@ class VolumeTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aGlowThatIsKeyedIsInEveryFrame()
+    {
+        Scene scene = growing();
+        Track emission{&knownParameter("glow.emission"), {{0.1, 0.0F, Ease::Hold}, {0.5, 2.0F}}};
+        scene.layers.front().tracks.set(emission);
+        const Written written(scene, {0, 20, 10}, 0.1F);
+        const auto namesOf = [&](int frame) {
+            QStringList names;
+            for (const VdbGrid& grid : written.grids(frame)) {
+                names.push_back(QString::fromStdString(grid.name));
+            }
+            return names;
+        };
+        QVERIFY(namesOf(20).contains(QStringLiteral("flames")));
+        QCOMPARE(namesOf(0), namesOf(20));
+        QCOMPARE(namesOf(10), namesOf(20));
+    }
+
+    void voxelsAreThoseOfTheSizeThatIsKeyed()
+    {
+        Scene scene = growing();
+        Track size{&knownParameter("look.size"), {{0.0, 0.05F, Ease::Linear}, {0.7, 4.0F}}};
+        scene.layers.front().tracks.set(size);
+        const std::vector<SampledEffect> layers = sampledLayers(scene);
+        SceneSimulator simulator(layers);
+        constexpr int kLongest = 24;
+        const float voxel = voxelFor(simulator, layers, kLongest).value();
+        int longest = 0;
+        for (int frame = 0; frame < scene.timeline.length; ++frame) {
+            const Volume volume = layeredVolume(scene, frame, voxel, LayerDensities::No);
+            longest = std::max({longest, volume.cells.x, volume.cells.y, volume.cells.z});
+        }
+        QVERIFY(longest <= kLongest);
+        QVERIFY(longest > kLongest - 5);
+    }
+
     void smokeIsAllThereWhateverTheCells()
     {
         const Effect effect = plainDiscs();

@@ -287,7 +287,7 @@ Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& opti
     const std::vector<SampledEffect> layers = sampledLayers(scene);
     std::vector<GreyCounts> greys;
     for (const SampledEffect& layer : layers) {
-        Result<GreyCounts> found = greysShown(layer, task.stop);
+        Result<GreyCounts> found = greysShown(layer.strongest(), task.stop);
         if (!found) {
             return found.error();
         }
@@ -300,6 +300,7 @@ Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& opti
         return voxel.error();
     }
     const bool hasLayers = options.density == DensityGrids::Layers;
+    const VolumeColumns columns = volumeColumns(layers);
     const std::vector<std::string> names = hasLayers ? namesOfGrids(scene) : std::vector<std::string>();
     const NumberedFiles files{options.output, options.frames, kVdbEnding, options.source, options.written};
     const auto bytesOf = [&](int number) -> Result<std::string> {
@@ -308,7 +309,7 @@ Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& opti
             return frame.error();
         }
         const Result<Volume> volume = volumeOf(LayersAtFrame(frame.value(), layers), voxel.value(), greys,
-            hasLayers ? LayerDensities::Yes : LayerDensities::No);
+            hasLayers ? LayerDensities::Yes : LayerDensities::No, columns);
         return volume ? Result<std::string>(encodeVdb(volume.value(), options.up, names)) : volume.error();
     };
     const Status written = writeNumbered(files, bytesOf, task);

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/lighting/glow.h"
+#include "core/rendering/scene_renderer.h"
 #include "core/rendering/sprite_texture.h"
 
 #include <algorithm>
@@ -227,8 +228,9 @@ Result<float> voxelFor(SceneSimulator& simulator, SampledLayers layers, int long
         if (!frame) {
             return frame.error();
         }
-        for (std::size_t i = 0; i < layers.size(); ++i) {
-            findAppearance(*frame.value().layers[i], layers[i], Axes{}, appearance);
+        const LayersAtFrame shown(frame.value(), layers);
+        for (const LayerFrame& layer : shown.frames()) {
+            findAppearance(*layer.frame, *layer.effect, Axes{}, appearance);
             bounds.add(appearance);
         }
         task.progress(ProgressPhase::Fitting, number + 1, frames);
@@ -247,11 +249,25 @@ Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float v
     return greys ? volumeOf({&layer, 1}, voxel, {&greys.value(), 1}) : greys.error();
 }
 
-Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys, LayerDensities densities)
+VolumeColumns volumeColumns(SampledLayers layers)
+{
+    VolumeColumns columns;
+    for (const SampledEffect& layer : layers) {
+        const bool glows = layer.strongest()->glow.emission > 0.0F;
+        columns.temperature = columns.temperature || layer->air.enabled || glows;
+        columns.flames = columns.flames || glows;
+    }
+    return columns;
+}
+
+Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys, LayerDensities densities,
+    const VolumeColumns& columns)
 {
     std::vector<Appearance> appearances(layers.size());
     Volume volume;
     volume.cell = voxel;
+    volume.hasTemperature = columns.temperature;
+    volume.hasFlames = columns.flames;
     Bounds bounds;
     float brightest = 0.0F;
     std::size_t count = 0;

@@ -50,6 +50,14 @@ enum class LayerDensities {
     Yes
 };
 
+/// What volumes have in every frame, whatever one shows: programs that read a sequence expect the same grids in all.
+struct VolumeColumns {
+    bool temperature = false;
+    bool flames = false;
+};
+/// Those of layers: what glows at any time glows.
+[[nodiscard]] VolumeColumns volumeColumns(SampledLayers layers);
+
 /// Spreads the particles of a frame over cells.
 ///
 /// Each is a ball of extinction 105 / (32 r) c alpha (1 - q^2)^2, q the distance from its centre over its radius r and
@@ -61,9 +69,10 @@ enum class LayerDensities {
 /// O(cells that particles cover). The same bits for any thread count and instruction set.
 [[nodiscard]] Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel);
 /// The same of all layers together, with greysShown() of each found before.
+/// @param columns that there are in any case; those of what glows in this frame as well
 /// @error TooLarge also where the densities of layers are more than kMaxVolumeNumbers
-[[nodiscard]] Result<Volume> volumeOf(
-    LayerFrames layers, float voxel, std::span<const GreyCounts> greys, LayerDensities densities = LayerDensities::No);
+[[nodiscard]] Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys,
+    LayerDensities densities = LayerDensities::No, const VolumeColumns& columns = {});
 
 /// The edge of cells, m, of which the smoke of a whole timeline has so many along the longest edge of the box around
 /// it, rounded up to three digits: the same whichever frames are written, so that those of several programs fit
