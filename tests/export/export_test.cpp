@@ -329,6 +329,24 @@ private slots:
         QVERIFY(status.error().text().find("/proc/none") != std::string::npos);
     }
 
+    void dumpsNameLayersByTheirNumbersInTheScene()
+    {
+        Scene scene = thesisEffect(50);
+        for (std::uint32_t layer = 1; layer < 4; ++layer) {
+            scene.layers.push_back(scene.layers.front());
+            scene.layers.back().emitter.seed = layer;
+        }
+        scene.layers[0].visible = false;
+        scene.layers[2].visible = false;
+        const QByteArray csv = QByteArray::fromStdString(dumpParticles(scene, 20, ParticleFormat::Csv).value());
+        QVERIFY(csv.startsWith("layer,id,"));
+        std::set<QByteArray> numbers;
+        for (const QByteArray& line : csv.trimmed().split('\n').mid(1)) {
+            numbers.insert(line.split(',').front());
+        }
+        QVERIFY((numbers == std::set<QByteArray>{"2", "4"}));
+    }
+
     void dumpsHoldTheLivingParticles()
     {
         const Effect effect = everythingOn();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -64,11 +65,11 @@ void addRows(std::size_t layer, const LayerFrame& of, UpAxis up, std::vector<Row
     }
 }
 
-std::vector<Row> livingRows(LayerFrames layers, UpAxis up)
+std::vector<Row> livingRows(LayerFrames layers, UpAxis up, std::span<const std::size_t> numbers = {})
 {
     std::vector<Row> rows;
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-        addRows(layer, layers[layer], up, rows);
+        addRows(numbers.empty() ? layer : numbers[layer], layers[layer], up, rows);
     }
     return rows;
 }
@@ -91,7 +92,7 @@ std::string_view fileEnding(ParticleFormat format)
     return {};
 }
 
-std::string dumpCsv(LayerFrames layers, UpAxis up)
+std::string dumpCsv(LayerFrames layers, UpAxis up, std::span<const std::size_t> numbers)
 {
     const bool several = layers.size() > 1;
     std::string out = several ? std::string(kLayerColumn) + ",id" : "id";
@@ -104,7 +105,7 @@ std::string dumpCsv(LayerFrames layers, UpAxis up)
         out += colour;
     }
     out += '\n';
-    for (const Row& row : livingRows(layers, up)) {
+    for (const Row& row : livingRows(layers, up, numbers)) {
         out += several ? std::to_string(row.layer + 1) + "," : "";
         out += std::to_string(row.id);
         for (const float value : row.values) {
@@ -120,10 +121,10 @@ std::string dumpCsv(LayerFrames layers, UpAxis up)
     return out;
 }
 
-std::string dumpPly(LayerFrames layers, UpAxis up)
+std::string dumpPly(LayerFrames layers, UpAxis up, std::span<const std::size_t> numbers)
 {
     const bool several = layers.size() > 1;
-    const std::vector<Row> rows = livingRows(layers, up);
+    const std::vector<Row> rows = livingRows(layers, up, numbers);
     std::string out = "ply\nformat binary_little_endian 1.0\ncomment Fumage frame "
         + std::to_string(layers.front().frame->number) + "\nelement vertex " + std::to_string(rows.size()) + "\n"
         + (several ? "property int " + std::string(kLayerColumn) + "\n" : "") + "property int id\n";
@@ -173,33 +174,50 @@ std::string dumpPcache(LayerFrames layers)
 
 namespace {
 
-Result<std::string> dumpFrame(SceneRenderer& smoke, int frame, ParticleFormat format, UpAxis up, const Task& task)
-{
-    const Result<SceneFrame> simulated = smoke.frame(frame, task);
-    if (!simulated) {
-        return simulated.error();
+/// Writes the particles of a scene's frames.
+class Dumper {
+public:
+    Dumper(const Scene& scene, ParticleFormat format, UpAxis up)
+        : m_smoke(scene)
+        , m_numbers(scene.visibleLayers())
+        , m_format(format)
+        , m_up(up)
+    {
     }
-    const LayersAtFrame layers(simulated.value(), smoke.layers());
-    switch (format) {
-    case ParticleFormat::Csv: return dumpCsv(layers, up);
-    case ParticleFormat::Ply: return dumpPly(layers, up);
-    case ParticleFormat::Pcache: return dumpPcache(layers);
+
+    Result<std::string> frame(int number, const Task& task)
+    {
+        const Result<SceneFrame> simulated = m_smoke.frame(number, task);
+        if (!simulated) {
+            return simulated.error();
+        }
+        const LayersAtFrame layers(simulated.value(), m_smoke.layers());
+        switch (m_format) {
+        case ParticleFormat::Csv: return dumpCsv(layers, m_up, m_numbers);
+        case ParticleFormat::Ply: return dumpPly(layers, m_up, m_numbers);
+        case ParticleFormat::Pcache: return dumpPcache(layers);
+        }
+        return std::string();
     }
-    return std::string();
-}
+
+private:
+    SceneRenderer m_smoke;
+    std::vector<std::size_t> m_numbers; ///< of the layers that are seen; empty: of the one that stands for none
+    ParticleFormat m_format;
+    UpAxis m_up;
+};
 
 } // namespace
 
 Result<std::string> dumpParticles(const Scene& scene, int frame, ParticleFormat format, UpAxis up, const Task& task)
 {
-    SceneRenderer smoke(scene);
-    return dumpFrame(smoke, frame, format, up, task);
+    return Dumper(scene, format, up).frame(frame, task);
 }
 
 Status dumpSequence(const Scene& scene, const ParticleSequenceOptions& options, const Task& task)
 {
-    SceneRenderer smoke(scene);
-    const auto bytesOf = [&](int number) { return dumpFrame(smoke, number, options.format, options.up, task); };
+    Dumper dumper(scene, options.format, options.up);
+    const auto bytesOf = [&](int number) { return dumper.frame(number, task); };
     const NumberedFiles files{
         options.output, options.frames, fileEnding(options.format), options.source, options.written};
     return writeNumbered(files, bytesOf, task);

@@ -6,6 +6,8 @@
 #include "core/scene/scene.h"
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,7 +30,8 @@ inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFor
 /// turbulence), age (s), life (0..1), alpha (0..1), radius (m), heat (of the air at the particle, 1 at the source; 0
 /// without air), red, green, blue (linear, before light). Shortest round-trip numbers.
 /// Of several layers the first column is the layer's number from 1. Alpha, radius and colour follow their looks.
-[[nodiscard]] std::string dumpCsv(LayerFrames layers, UpAxis up = UpAxis::Y);
+/// @param numbers of the layers in their scene, from 0, where muted ones lie between them; empty: as they come
+[[nodiscard]] std::string dumpCsv(LayerFrames layers, UpAxis up = UpAxis::Y, std::span<const std::size_t> numbers = {});
 
 /// The same of one layer.
 [[nodiscard]] inline std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y)
@@ -38,7 +41,7 @@ inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFor
 }
 
 /// The same as a binary little-endian PLY of vertices; the colours are sRGB in 8 bits, as programs expect them there.
-[[nodiscard]] std::string dumpPly(LayerFrames layers, UpAxis up = UpAxis::Y);
+[[nodiscard]] std::string dumpPly(LayerFrames layers, UpAxis up = UpAxis::Y, std::span<const std::size_t> numbers = {});
 
 /// The same for Unity's VFX Graph: position, velocity, age, lifetime (s), size (m, across), color (linear, and alpha),
 /// heat. Unity's axes are left-handed with y up: our (x, y, -z).
