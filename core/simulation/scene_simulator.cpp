@@ -43,14 +43,41 @@ std::shared_ptr<const SimulationModel> modelOf(
     return model;
 }
 
+/// Most particles that the layers of a scene are born on, in all: about 4 GB. Each layer has those of its own, and
+/// those that they are born on.
+constexpr std::int64_t kMaxParents = std::int64_t{16} * kMaxParticles;
+
+Status checkParents(SampledLayers layers)
+{
+    std::int64_t particles = 0;
+    for (const SampledEffect& layer : layers) {
+        for (const SampledEffect* parent = layer.parent().get(); parent != nullptr; parent = parent->parent().get()) {
+            particles += (*parent)->emitter.count;
+        }
+    }
+    if (particles <= kMaxParents) {
+        return Done{};
+    }
+    return Error{ErrorCode::TooLarge,
+        makeMessage(
+            "layers are born on %1 particles of others in all, at most %2 are possible", particles, kMaxParents),
+        std::string("emitter.count"), makeMessage("Give fewer particles to the layers that others are born on")};
+}
+
+Status checkLayers(SampledLayers layers)
+{
+    Status status = checkParents(layers);
+    return status ? checkAir(layers) : status;
+}
+
 } // namespace
 
 SceneSimulator::SceneSimulator(
     SampledLayers layers, std::size_t checkpointBytes, const std::shared_ptr<AirCache>& shelf)
-    : m_airStatus(checkAir(layers))
+    : m_status(checkLayers(layers))
 {
     std::shared_ptr<BakedAir> air;
-    if (m_airStatus) {
+    if (m_status) {
         air = shelf ? shelf->airOf(layers) : AirCache().airOf(layers);
     }
     for (const SampledEffect& layer : layers) {
@@ -88,8 +115,8 @@ double SceneSimulator::particleSteps(std::size_t layer, int number) const
 
 Result<SceneFrame> SceneSimulator::frame(int number, const Task& task)
 {
-    if (!m_airStatus) {
-        return m_airStatus.error();
+    if (!m_status) {
+        return m_status.error();
     }
     SceneFrame out;
     for (Simulator& layer : m_layers) {

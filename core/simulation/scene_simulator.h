@@ -33,7 +33,8 @@ public:
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
     /// @param progress as of Simulator::frame()
-    /// @error Cancelled; that of checkAir()
+    /// @error Cancelled; that of checkAir(); TooLarge where layers are born on more particles of others than memory
+    /// holds
     [[nodiscard]] Result<SceneFrame> frame(int number, const Task& task = {});
 
     [[nodiscard]] std::size_t layers() const { return m_layers.size(); }
@@ -41,7 +42,7 @@ public:
     [[nodiscard]] const SimulationModel& model(std::size_t layer = 0) const { return m_layers[layer].model(); }
 
 private:
-    Status m_airStatus; ///< of checkAir()
+    Status m_status; ///< of checkAir(), and of how many particles layers are born on
     std::vector<Simulator> m_layers;
     std::vector<Simulator> m_muted; ///< in the same air
 };

@@ -96,6 +96,25 @@ class BornOnTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void moreParentsThanMemoryHoldsAreRefused()
+    {
+        Scene scene = flyer();
+        scene.layers[0].name = "0";
+        scene.layers[0].emitter.count = kMaxParticles;
+        scene.layers.resize(12, scene.layers[0]);
+        for (std::size_t layer = 1; layer < scene.layers.size(); ++layer) {
+            scene.layers[layer].name = std::to_string(layer);
+            scene.layers[layer].from = std::to_string(layer - 1);
+        }
+        const auto refused = SceneSimulator(sampledLayers(scene)).frame(0);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::TooLarge);
+        for (Layer& layer : scene.layers) {
+            layer.emitter.count = 10;
+        }
+        QVERIFY(SceneSimulator(sampledLayers(scene)).frame(0).ok());
+    }
+
     void atWhichAgeChangesWithKeyFrames()
     {
         Scene scene = rocketWithTrail();
