@@ -307,30 +307,31 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
 /// Where in the source a particle begins that was born on the emitter: nearer to the middle, so that none stands at the
 /// rim, where the air does and would keep a skirt of smoke, and above the plane by a depth that ends as a dome. A slab
 /// of even density would be seen as one. On a picture it stays where it is, nearer to the plane.
-HWY_INLINE Vec3<V> positionInSource(D d, const StepConstants& constants, VU key, const Vec3<V>& onEmitter)
+HWY_INLINE Vec3<V> positionInSource(D d, const AirConstants& air, VU key, const Vec3<V>& born, const Vec3<V>& pivot)
 {
     constexpr float kReach = 0.8F; // of the source's own
     constexpr float kInwards = 0.85F; // of that, at most
     constexpr float kDepthOfPicture = 0.25F; // of the source's
-    const bool onPicture = constants.air.bornOnPicture;
+    const bool onPicture = air.bornOnPicture;
     const V reach = onPicture ? hn::Set(d, 1.0F) : kReach - kReach * kInwards * unitStream(d, key, kBirthRim);
-    const Vec3<V> away = (onEmitter - constants.pivot) * reach;
-    const V across = dot(away, constants.air.sourceSides[0]);
-    const V along = dot(away, constants.air.sourceSides[1]);
+    const Vec3<V> away = (born - pivot) * reach;
+    const V across = dot(away, air.sourceSides[0]);
+    const V along = dot(away, air.sourceSides[1]);
     const V dome = hn::Max(1.0F - across * across - along * along, hn::Zero(d));
-    const glm::vec3 depth = (onPicture ? kDepthOfPicture : 1.0F) * constants.air.sourceDepth;
-    return away + (unitStream(d, key, kBirthDepth) * dome) * depth + constants.pivot;
+    const glm::vec3 depth = (onPicture ? kDepthOfPicture : 1.0F) * air.sourceDepth;
+    return away + (unitStream(d, key, kBirthDepth) * dome) * depth + pivot;
 }
 
-/// What a particle becomes between its birth and the end of the step.
-/// @param share of the step that it has lived
-/// @param born  with the velocity that the emitter gives it
-HWY_INLINE Carried throughParts(D d, std::span<const StepConstants> parts, VU key, V share, const Carried& born)
+/// What a particle becomes between its birth and the end of the step, of which it has lived a share.
+/// @param travel of the emitter in the step, m @param born with the velocity that the emitter gives it
+HWY_INLINE Carried throughParts(
+    D d, std::span<const StepConstants> parts, const glm::vec3& travel, VU key, V share, const Carried& born)
 {
     const StepConstants& whole = parts.front();
     Carried at = born;
     if (!whole.air.bornOnParent) {
-        at.moving.position = positionInSource(d, whole, key, born.moving.position);
+        at.moving.position =
+            positionInSource(d, whole.air, key, born.moving.position, broadcast(d, whole.pivot) - share * travel);
     }
     // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
     at.relative = whole.air.coupling == Coupling::Carried ? born.moving.velocity - whole.air.sourceVelocity
@@ -354,15 +355,15 @@ HWY_INLINE Carried throughParts(D d, std::span<const StepConstants> parts, VU ke
 }
 
 /// Slots [first, last); neighbours in the same vectors stay as they are.
-void carryJustBorn(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last)
+void carryJustBorn(std::span<const StepConstants> parts, const glm::vec3& way, Particles& particles, std::size_t first,
+    std::size_t last)
 {
     const D d;
-    const StepConstants& whole = parts.front();
     for (std::size_t i = first / hn::Lanes(d) * hn::Lanes(d); i < last; i += hn::Lanes(d)) {
         const VU key = hn::Load(DU(), particles.key.data() + i);
-        const V share = agesInSteps(d, particles, i, key, whole.step, whole.betweenSteps);
+        const V lived = agesInSteps(d, particles, i, key, parts.front().step, parts.front().betweenSteps);
         const Carried before = Carried::from(d, particles, i);
-        const Carried after = throughParts(d, parts, key, share, before);
+        const Carried after = throughParts(d, parts, way, key, lived, before);
         const auto isNew = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
         Carried kept;
         kept.moving.position = chosen(isNew, after.moving.position, before.moving.position);
@@ -386,14 +387,13 @@ HWY_EXPORT(carryJustBorn);
 
 void carryChunk(const StepConstants& constants, Particles& particles, std::size_t chunk)
 {
-    const auto kernel = HWY_DYNAMIC_DISPATCH(carryWhole);
-    kernel(constants, particles, chunk);
+    HWY_DYNAMIC_DISPATCH(carryWhole)(constants, particles, chunk);
 }
 
-void carryNewParticles(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last)
+void carryNewParticles(std::span<const StepConstants> parts, const glm::vec3& way, Particles& particles,
+    std::size_t first, std::size_t last)
 {
-    const auto kernel = HWY_DYNAMIC_DISPATCH(carryJustBorn);
-    kernel(parts, particles, first, last);
+    HWY_DYNAMIC_DISPATCH(carryJustBorn)(parts, way, particles, first, last);
 }
 
 } // namespace fumage

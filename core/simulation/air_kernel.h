@@ -22,6 +22,8 @@ void carryChunk(const StepConstants& constants, Particles& particles, std::size_
 /// stepNewParticles() where air carries the particles; also where none are born between steps, since they start in
 /// moving air.
 /// @param parts of the step, one or more, each with its air: those born between them go through what is left
-void carryNewParticles(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last);
+/// @param way that the emitter took in the step, along which they were born, m
+void carryNewParticles(std::span<const StepConstants> parts, const glm::vec3& way, Particles& particles,
+    std::size_t first, std::size_t last);
 
 } // namespace fumage

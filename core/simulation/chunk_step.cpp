@@ -86,7 +86,7 @@ void spawnInChunk(const Spawner& place, std::span<const StepConstants> parts, st
     spawnParticles(place, randomIndex, constants.step, slot, end - slot, particles);
     takeAlong(on, slot, particles);
     if (constants.air.field != nullptr) {
-        carryNewParticles(parts, particles, slot, end);
+        carryNewParticles(parts, place.travel.way, particles, slot, end);
     } else if (constants.betweenSteps) {
         stepNewParticles(constants, particles, slot, end);
     }

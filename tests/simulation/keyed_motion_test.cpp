@@ -11,6 +11,7 @@
 #include "core/simulation/step.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace fumage;
@@ -238,6 +239,39 @@ private slots:
                 }
             }
             QVERIFY(born > 20);
+        }
+    }
+
+    void newbornsLieEvenlyAlongTheWayInAirToo()
+    {
+        Effect effect = flying(Coupling::Carried);
+        effect.emitter.count = 4000;
+        effect.emitter.mode = EmissionMode::Continuous;
+        effect.emitter.subframe = true;
+        effect.emitter.speed = 0.0F;
+        effect.emitter.radius = 0.001F;
+        effect.life.fadeRate = 1.0F;
+        effect.motion.gravity = 0.0F;
+        const Tracks way = trackOf(knownParameter("emitter.position"),
+            {{0.0, glm::vec3(0.0F), Ease::Linear}, {2.0, glm::vec3(12.0F, 0.0F, 0.0F)}});
+        for (const bool air : {false, true}) {
+            effect.air.enabled = air;
+            Simulator simulator(sampled(effect, way));
+            const auto frame = simulator.frame(30).value();
+            const Particles& p = frame->particles;
+            std::array<int, 10> parts{}; // of the 0.2 m that it goes in a step
+            int all = 0;
+            for (std::size_t i = 0; i < p.capacity; ++i) {
+                const float steps = p.x[i] / 0.2F;
+                if (p.birthStep[i] != Particles::kUnborn && steps > 2.0F && steps < 28.0F) {
+                    ++parts[static_cast<std::size_t>((steps - std::floor(steps)) * 9.999F)];
+                    ++all;
+                }
+            }
+            QVERIFY(all > 2000);
+            for (const int part : parts) {
+                QVERIFY(near(10.0 * part, all, 0.3 * all)); // it was from nearly none to two and a half times as many
+            }
         }
     }
 
