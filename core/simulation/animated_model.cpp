@@ -118,8 +118,7 @@ Spawner SimulationModel::spawnerAt(std::int64_t step) const
     const Emitter from = m_effect.atTime(before)->emitter;
     const auto jumps = [&](const Parameter& row) {
         const Track* track = m_effect.track(row);
-        // At the end of a loop it is where it was at the beginning, or it jumps there.
-        return track != nullptr && (now < before || track->jumpsIn(before, now));
+        return track != nullptr && jumpsOnWay(*track, before, now, lengthInSeconds(m_effect->timeline));
     };
     EmitterTravel coming;
     coming.betweenSteps = m_schedule.betweenSteps;

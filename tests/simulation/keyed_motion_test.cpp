@@ -242,6 +242,29 @@ private slots:
         }
     }
 
+    void newbornsLieAlongTheWayThroughTheEndOfALoop()
+    {
+        Effect effect = thesisEffect(6000);
+        effect.emitter.width = 0.0F;
+        effect.emitter.depth = 0.0F;
+        effect.emitter.speed = 0.0F;
+        effect.emitter.subframe = true;
+        effect.timeline.loop = true;
+        effect.timeline.length = 30;
+        const glm::vec3 far(9.0F, 0.0F, 0.0F);
+        const Tracks way = trackOf(knownParameter("emitter.position"),
+            {{0.0, glm::vec3(0.0F), Ease::Linear}, {0.5, far, Ease::Linear}, {1.0, glm::vec3(0.0F)}});
+        Simulator simulator(sampled(effect, way));
+        const auto frame = simulator.frame(0).value();
+        const Particles& p = frame->particles;
+        float farthest = 0.0F;
+        for (std::size_t i = 0; i < p.capacity; ++i) {
+            farthest = p.birthStep[i] == static_cast<std::int32_t>(frame->step) ? std::max(farthest, p.x[i]) : farthest;
+        }
+        QVERIFY(farthest > 0.4F); // a step takes it 0.6 m far
+        QVERIFY(farthest < 0.61F);
+    }
+
     void newbornsLieEvenlyAlongTheWayInAirToo()
     {
         Effect effect = flying(Coupling::Carried);
@@ -250,6 +273,7 @@ private slots:
         effect.emitter.subframe = true;
         effect.emitter.speed = 0.0F;
         effect.emitter.radius = 0.001F;
+        effect.life.initialAlpha = 1.0F;
         effect.life.fadeRate = 1.0F;
         effect.motion.gravity = 0.0F;
         const Tracks way = trackOf(knownParameter("emitter.position"),
