@@ -19,7 +19,7 @@ expect() { # <exit code> <text>...
     done
 }
 
-for each in bash dirname grep mkdir ln touch ls cat chmod; do
+for each in bash dirname grep mkdir ln touch ls cat chmod tail; do
     ln -s "$(command -v $each)" "$machine/$each"
 done
 tool id 'echo 1000'
@@ -70,3 +70,11 @@ says 'release presets' build/bin/fumage-cli presets
 says 'release render' ./dev run
 says '' ./dev build debug
 says 'release presets' build/bin/fumage-cli presets
+
+echo "-- called from another folder"
+tool fumage 'echo "opens $*"'
+cp "$machine/fumage" "$tree/build/release/bin"
+says "opens $tree/build/../smoke.json /smoke.json --verbose" 'cd build; DISPLAY=:9 ../dev run ../smoke.json /smoke.json --verbose'
+for call in 'tree/dev' 'bash tree/dev'; do
+    says 'build_consumer.sh: No such file' "cd ..; $call check subproject || cat tree/build/check/subproject.log"
+done
