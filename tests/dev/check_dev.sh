@@ -78,3 +78,9 @@ says "opens $tree/build/../smoke.json /smoke.json --verbose" 'cd build; DISPLAY=
 for call in 'tree/dev' 'bash tree/dev'; do
     says 'build_consumer.sh: No such file' "cd ..; $call check subproject || cat tree/build/check/subproject.log"
 done
+echo "-- packages are everybody's to read, whatever is usual here"
+for each in help2man rsvg-convert dpkg-shlibdeps xdotool man zsh readelf file lintian patchelf qmake6 rm; do
+    tool $each ''
+done
+tool cpack 'umask; exit 1'
+says '0022' 'umask 077; ./dev package || true'

@@ -31,6 +31,10 @@ for name in fumage fumage-cli "$library" libfumage-dev; do
     complaints=$(dpkg-parsechangelog --file "$root/changelog" --all 2>&1 > /dev/null) && [ -z "$complaints" ] || fail "the changelog of $name: $complaints"
     [ "$(grep -c '^  \* ' "$root/changelog")" -eq "$(grep -c '^- ' "$here/../../CHANGELOG.md")" ] || fail "the changelog of $name lacks some changes"
 done
+for file in "$packages"/*.deb; do
+    private=$(dpkg-deb --contents "$file" | grep -vE '^(drwxr-xr-x|-rw[x-]r-[x-]r-[x-]|l[rwx]{9}) root/root ' || true)
+    [ -z "$private" ] || fail "not everybody may read these of ${file##*/}, or others may write them: $private"
+done
 for page in fumage/farm.md fumage/games.md fumage/editor.md fumage/exporting.md fumage/presets.md fumage-cli/command-line.md fumage-cli/exporting.md fumage-cli/farm.md fumage-cli/parameters.md libfumage-dev/games.md; do
     [ -s "$root/usr/share/doc/$page" ] || fail "there is no $page"
 done
