@@ -65,8 +65,8 @@ dpkg-query --show --showformat '${binary:Package} ${Version}, source ${source:Pa
     sort -u > "$folder/licenses/packages.txt"
 cp "$usr/share/doc/fumage/copyright" "$folder/LICENSE.txt"
 
-# Every file finds the others from where it lies itself. Programs look nowhere else first: RUNPATH, which libraries of the system
-# do not inherit.
+# Every file finds the others from where it lies itself: by RUNPATH, which libraries of the system do not inherit. LD_LIBRARY_PATH
+# goes before it; AppRun leaves nothing in there that has the name of one of ours.
 origin() { # <run path> <files>...
     local path=$1
     shift

@@ -5,6 +5,7 @@ RequestExecutionLevel user
 ManifestDPIAware true
 !include MUI2.nsh
 !include FileFunc.nsh
+!include LogicLib.nsh
 
 !define UNINSTALL "Software\Microsoft\Windows\CurrentVersion\Uninstall\Fumage"
 !define CLASSES "Software\Classes"
@@ -25,6 +26,9 @@ InstallDirRegKey HKCU "${UNINSTALL}" "InstallLocation"
 !insertmacro MUI_LANGUAGE "English"
 !insertmacro MUI_LANGUAGE "Swedish"
 !insertmacro MUI_LANGUAGE "SimpChinese"
+LangString Running ${LANG_ENGLISH} "Fumage is running. Close it, then try again."
+LangString Running ${LANG_SWEDISH} "Fumage körs. Stäng det och försök sedan igen."
+LangString Running ${LANG_SIMPCHINESE} "Fumage 正在运行。请先关闭它，然后重试。"
 
 ; The programs offer to open a kind of file; which one does by default stays as it was.
 !macro Offer ending class
@@ -33,6 +37,20 @@ InstallDirRegKey HKCU "${UNINSTALL}" "InstallLocation"
 !macro OfferNoMore ending class
     DeleteRegValue HKCU "${CLASSES}\${ending}\OpenWithProgids" "${class}"
 !macroend
+; A program that runs can neither be replaced nor deleted: nothing is done before it is closed. Who asks for no questions gets the exit code 2.
+!macro WaitForEnd program
+    ${DoWhile} ${FileExists} "$INSTDIR\${program}"
+        ClearErrors
+        FileOpen $0 "$INSTDIR\${program}" a
+        ${IfNot} ${Errors}
+            FileClose $0
+            ${ExitDo}
+        ${EndIf}
+        ${If} ${Cmd} `MessageBox MB_RETRYCANCEL|MB_ICONEXCLAMATION "$(Running)" /SD IDCANCEL IDCANCEL`
+            Abort
+        ${EndIf}
+    ${Loop}
+!macroend
 !macro Class class text
     WriteRegStr HKCU "${CLASSES}\${class}" "" "${text}"
     WriteRegStr HKCU "${CLASSES}\${class}\DefaultIcon" "" "$INSTDIR\fumage.exe,0"
@@ -40,6 +58,14 @@ InstallDirRegKey HKCU "${UNINSTALL}" "InstallLocation"
 !macroend
 
 Section
+    ; A folder of other things stays theirs: our README.txt, uninstall.exe and licences would take the place of their own.
+    ${DirState} "$INSTDIR" $0
+    ${If} $0 = 1
+    ${AndIfNot} ${FileExists} "$INSTDIR\fumage.exe"
+        StrCpy $INSTDIR "$INSTDIR\Fumage"
+    ${EndIf}
+    !insertmacro WaitForEnd "fumage.exe"
+    !insertmacro WaitForEnd "fumage-cli.exe"
     SetOutPath "$INSTDIR"
     RMDir /r "$INSTDIR\share\fumage" ; of an older version
     RMDir /r "$INSTDIR\licences"
@@ -68,8 +94,10 @@ Section
     ${RefreshShellIcons}
 SectionEnd
 
-; Only what was installed: the folder may be one that had other things in it, and what users made stays.
+; Only what was installed: what users have put into the folder stays.
 Section Uninstall
+    !insertmacro WaitForEnd "fumage.exe"
+    !insertmacro WaitForEnd "fumage-cli.exe"
     Delete "$INSTDIR\fumage.exe"
     Delete "$INSTDIR\fumage-cli.exe"
     Delete "$INSTDIR\LICENSE.txt"

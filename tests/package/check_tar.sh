@@ -77,6 +77,19 @@ echo "-- command line"
 ln -s "$app/fumage-cli" "$root/work/fumage-cli"
 "${clean[@]}" ./fumage-cli render campfire --frames 20 --size 64 --output fire.png > /dev/null
 file fire.png | grep 'PNG image data, 64 x 64' > /dev/null || fail "no picture was rendered"
+# Libraries of the caller that are called as ours do not take their place.
+mkdir "$root/work/other" "$root/work/drivers"
+for library in "$app"/usr/lib/*; do
+    touch "$root/work/other/${library##*/}" # the loader refuses an empty one
+done
+"${clean[@]}" LD_LIBRARY_PATH="$root/work/drivers:$root/work/other::" ./fumage-cli presets | grep campfire > /dev/null || fail "it takes libraries of LD_LIBRARY_PATH for its own"
+mkdir -p "$root"/asks/usr/{bin,lib,spare/libc.so.6} # a spare that every system has
+cp "$app/AppRun" "$root/asks/fumage-cli"
+touch "$root/asks/usr/lib/libours.so.1" "$root/work/other/libours.so.1"
+printf '#!/bin/sh\necho "${LD_LIBRARY_PATH-unset}"\n' > "$root/asks/usr/bin/fumage-cli"
+chmod +x "$root/asks/usr/bin/fumage-cli"
+paths=$("${clean[@]}" LD_LIBRARY_PATH="$root/work/drivers:$root/work/other::" "$root/asks/fumage-cli")
+[ "$paths" = "$root/work/drivers" ] || fail "of the caller's LD_LIBRARY_PATH it leaves: $paths"
 # An AppImage calls AppRun, and says by which name it was called itself.
 "${clean[@]}" ARGV0=./fumage-cli "$app/AppRun" presets | grep campfire > /dev/null || fail "an AppImage has no command line"
 
