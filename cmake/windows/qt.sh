@@ -18,10 +18,17 @@ host=/usr/lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/cmake
 [ -d "$host/Qt6WidgetsTools" ] || { echo "The tools of Qt are missing: apt install qt6-base-dev"; exit 1; }
 
 work=$qt.work
+mkdir -p "$work"
+# Every checkout would build in this folder: the second waits for the first, and takes what it has made.
+exec {lock}> "$qt.lock"
+flock --nonblock "$lock" || { echo "Another checkout is building Qt: waiting for it"; flock "$lock"; }
+[ ! -f "$qt/made" ] || exit 0
 mkdir -p "$work"/apt/{lists/partial,cache/archives/partial,sources}
 cd "$work"
-if ! compgen -G "qt6-base-*/CMakeLists.txt" > /dev/null; then
+# A stamp says that something is whole: what was broken off while it was unpacked has some of its files already.
+if [ ! -f source.made ]; then
     echo "Fetching Qt's source"
+    rm -rf qt6-base-* # or apt takes the folder for unpacked
     # The sources of where this machine's own packages come from.
     apt-get indextargets --format 'deb-src $(SITE) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' | sort -u > apt/sources/debian.list
     apt_sources() {
@@ -31,18 +38,20 @@ if ! compgen -G "qt6-base-*/CMakeLists.txt" > /dev/null; then
     apt_sources update
     # Not every mirror keeps what it lists of the security updates; then it is the release itself.
     apt_sources source --only-source qt6-base > source.log 2>&1 || apt_sources --target-release "$(. /etc/os-release && echo "$VERSION_CODENAME")" source --only-source qt6-base > source.log
+    touch source.made
 fi
-if ! compgen -G "packages/usr/share/qt6/translations/qtbase_*.qm" > /dev/null; then
+if [ ! -f packages.made ]; then
     apt-get -qq -o APT::Sandbox::User="$(id -un)" download qt6-translations-l10n
     for package in qt6-translations-l10n_*.deb; do
         dpkg-deb --extract "$package" packages
     done
+    touch packages.made
 fi
 
 # Nothing of Fumage's own folders: every checkout takes this Qt.
 cat > toolchain.cmake <<EOF
-include($here/toolchain.cmake)
-set(CMAKE_FIND_ROOT_PATH $qt /usr/x86_64-w64-mingw32)
+include("$here/toolchain.cmake")
+set(CMAKE_FIND_ROOT_PATH "$qt" /usr/x86_64-w64-mingw32)
 EOF
 off=(sql dbus network xml concurrent printsupport tabletevent vulkan zstd icu glib openssl qmake androiddeployqt system_zlib accessibility_atspi_bridge direct2d1_1) # without direct2d 1.0 DirectWrite misses a source
 within=(freetype harfbuzz pcre doubleconversion libpng libjpeg)
