@@ -867,7 +867,7 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::Engines</name>
+    <name>Engines</name>
     <message>
         <source>Any engine</source>
         <translation>Valfri motor</translation>
@@ -1623,7 +1623,7 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::GraphCurves</name>
+    <name>GraphCurves</name>
     <message>
         <source>red</source>
         <translation>rött</translation>
@@ -1801,7 +1801,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>fumage::ui::KeyMends</name>
+    <name>KeyMends</name>
     <message>
         <source>It does not end as it begins, so the loop jumps there.</source>
         <translation>Den slutar inte som den börjar, så slingan hoppar där.</translation>
@@ -1828,7 +1828,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>fumage::ui::KeyMenu</name>
+    <name>KeyMenu</name>
     <message>
         <source>Smooth</source>
         <translation>Mjuk</translation>
@@ -1887,7 +1887,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>fumage::ui::KeyTable</name>
+    <name>KeyTable</name>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
         <translation>Tabeller (*.csv *.tsv *.txt);;Alla filer (*)</translation>
@@ -2199,7 +2199,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>fumage::ui::Manual</name>
+    <name>Manual</name>
     <message>
         <source>The page %1 cannot be read.</source>
         <translation>Sidan %1 kan inte läsas.</translation>
@@ -2299,7 +2299,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>fumage::ui::MarkerEdits</name>
+    <name>MarkerEdits</name>
     <message>
         <source>Marker %1</source>
         <translation>Markör %1</translation>
@@ -7058,7 +7058,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>fumage::ui::WindowTour</name>
+    <name>WindowTour</name>
     <message>
         <source>This is the smoke. Drag in it to look from another side, and turn the wheel to come nearer.</source>
         <translation>Detta är röken. Dra i den för att se från en annan sida, och vrid på hjulet för att komma närmare.</translation>

@@ -867,7 +867,7 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::Engines</name>
+    <name>Engines</name>
     <message>
         <source>Any engine</source>
         <translation>任意引擎</translation>
@@ -1623,7 +1623,7 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::GraphCurves</name>
+    <name>GraphCurves</name>
     <message>
         <source>red</source>
         <translation>红</translation>
@@ -1801,7 +1801,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>fumage::ui::KeyMends</name>
+    <name>KeyMends</name>
     <message>
         <source>It does not end as it begins, so the loop jumps there.</source>
         <translation>结尾与开头不同，循环会在此跳变。</translation>
@@ -1828,7 +1828,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>fumage::ui::KeyMenu</name>
+    <name>KeyMenu</name>
     <message>
         <source>Smooth</source>
         <translation>平滑</translation>
@@ -1887,7 +1887,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>fumage::ui::KeyTable</name>
+    <name>KeyTable</name>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
         <translation>表格 (*.csv *.tsv *.txt);;所有文件 (*)</translation>
@@ -2199,7 +2199,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>fumage::ui::Manual</name>
+    <name>Manual</name>
     <message>
         <source>The page %1 cannot be read.</source>
         <translation>无法读取页面 %1。</translation>
@@ -2299,7 +2299,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>fumage::ui::MarkerEdits</name>
+    <name>MarkerEdits</name>
     <message>
         <source>Marker %1</source>
         <translation>标记 %1</translation>
@@ -7058,7 +7058,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>fumage::ui::WindowTour</name>
+    <name>WindowTour</name>
     <message>
         <source>This is the smoke. Drag in it to look from another side, and turn the wheel to come nearer.</source>
         <translation>这是烟雾。在其中拖动可换个方向看，转动滚轮可靠近。</translation>

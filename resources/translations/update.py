@@ -12,8 +12,6 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# Contexts that are names of their own and not of classes.
-PLAIN_CONTEXTS = ["Actions", "Exports", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "GradientPresets", "Readout", "LayerEdits", "LayerClipboard", "KeyEdits", "KeyClipboard", "QCommandLineParser", "main"]
 TABLE = ROOT / "core/effect/parameters"
 
 
@@ -46,12 +44,19 @@ def message_texts() -> list[str]:
     return list(dict.fromkeys(texts))
 
 
+def plain_contexts() -> list[str]:
+    """Contexts that are names of their own and not of classes: the sources ask by them."""
+    asked = r'\b(?:translate|QT_TRANSLATE_NOOP)\(\s*"(\w+)"|\bQ_DECLARE_TR_FUNCTIONS\((\w+)\)'
+    sources = [file.read_text() for ending in ("*.h", "*.cpp") for file in (ROOT / "ui").rglob(ending)]
+    return sorted({one or other for source in sources for one, other in re.findall(asked, source)})
+
+
 def rename_contexts(path: pathlib.Path, qualified: bool) -> None:
     """Adds or takes away the namespace of classes: lupdate does not see nested namespaces, at run time they belong to the context."""
     text = path.read_text()
     text = text.replace("<name>fumage::ui::", "<name>")
     if qualified:
-        text = re.sub(r"<name>(?!(?:%s)</name>)" % "|".join(PLAIN_CONTEXTS), "<name>fumage::ui::", text)
+        text = re.sub(r"<name>(?!(?:%s)</name>)" % "|".join(plain_contexts()), "<name>fumage::ui::", text)
     path.write_text(text)
 
 

@@ -56,6 +56,32 @@ private slots:
         QVERIFY(!xml.hasError() && count > 400);
     }
 
+    void textsAreFoundUnderTheContextsThatTheProgramAsksBy_data() { addLanguages(); }
+    void textsAreFoundUnderTheContextsThatTheProgramAsksBy()
+    {
+        QFETCH(QString, code);
+        QFile translations(QStringLiteral(FUMAGE_SOURCE_DIR "/resources/translations/fumage_%1.ts").arg(code));
+        QVERIFY(translations.open(QIODevice::ReadOnly));
+        const QString names = QString::fromUtf8(translations.readAll());
+        // Classes with a tr() of their own have the namespace in their context; these have not.
+        static const QRegularExpression asked(
+            u"\\b(?:translate|QT_TRANSLATE_NOOP)\\(\\s*\"(\\w+)\"|\\bQ_DECLARE_TR_FUNCTIONS\\((\\w+)\\)"_q);
+        int count = 0;
+        QDirIterator files(
+            QStringLiteral(FUMAGE_SOURCE_DIR "/ui"), {u"*.h"_q, u"*.cpp"_q}, QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString source = QString::fromUtf8(file.readAll());
+            for (QRegularExpressionMatchIterator found = asked.globalMatch(source); found.hasNext(); ++count) {
+                const QRegularExpressionMatch match = found.next();
+                const QString context = match.captured(1) + match.captured(2); // one of them is empty
+                QVERIFY2(names.contains(u"<name>%1</name>"_q.arg(context)), qPrintable(file.fileName() + context));
+            }
+        }
+        QVERIFY(count > 50);
+    }
+
     void theParameterTableIsTranslated_data() { addLanguages(); }
     void theParameterTableIsTranslated()
     {
