@@ -23,6 +23,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStatusBar>
+#include <QToolBar>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -281,14 +282,18 @@ private slots:
         const QPointer<Tour> tour = m_window->findChild<Tour*>();
         QVERIFY(tour && tour->isVisible());
         QSet<const QWidget*> seen;
-        for (int i = 0; i < 5 && tour->isVisible(); ++i) {
+        for (int i = 0; i < 6 && tour->isVisible(); ++i) {
             QVERIFY(tour->target()->isVisible());
             QVERIFY(m_window->rect().contains(tour->geometry()));
             seen += tour->target();
             tour->next();
         }
-        QCOMPARE(seen.size(), 5);
+        QCOMPARE(seen.size(), 6);
         QVERIFY(seen.contains(&m_window->viewport()));
+        const auto* bar = childOf<QToolBar>(*m_window, u"toolBar"_q);
+        for (const char* action : {"file.engine", "file.export"}) {
+            QVERIFY(seen.contains(bar->widgetForAction(&m_window->actions().get(action))));
+        }
         QTRY_VERIFY(tour.isNull());
         trigger("help.tour");
         QTest::keyClick(m_window->findChild<Tour*>(), Qt::Key_Escape);

@@ -40,9 +40,11 @@ Tour* startWindowTour(QMainWindow& window, const ActionSet& actions)
     const auto named = [&window](const char* name) {
         return [&window, name] { return window.findChild<QWidget*>(QLatin1String(name)); };
     };
-    const auto exportButton = [&window, &actions]() -> QWidget* {
-        const auto* bar = window.findChild<QToolBar*>(QStringLiteral("toolBar"));
-        return bar != nullptr ? bar->widgetForAction(&actions.get("file.export")) : nullptr;
+    const auto button = [&window, &actions](const char* action) {
+        return [&window, &actions, action]() -> QWidget* {
+            const auto* bar = window.findChild<QToolBar*>(QStringLiteral("toolBar"));
+            return bar != nullptr ? bar->widgetForAction(&actions.get(action)) : nullptr;
+        };
     };
     return Tour::start(window,
         {{tourText(QT_TRANSLATE_NOOP("WindowTour",
@@ -59,9 +61,13 @@ Tour* startWindowTour(QMainWindow& window, const ActionSet& actions)
                  "The diamond sets a key frame: change the number at another frame, and it changes over time.")),
                 [&window] { return firstSeen<KeyMark>(window); }},
             {tourText(QT_TRANSLATE_NOOP("WindowTour",
+                 "This is the short way into a game: click your engine, and a flipbook that suits it is written, and "
+                 "plays on a mock ground beside what is to be done in the engine.")),
+                button("file.engine")},
+            {tourText(QT_TRANSLATE_NOOP("WindowTour",
                  "This takes the smoke away: as a flipbook, an image sequence, a video or data for an engine. "
                  "Help > Tour shows all of this again.")),
-                exportButton}});
+                button("file.export")}});
 }
 
 } // namespace fumage::ui

@@ -7,7 +7,7 @@ namespace fumage::ui {
 class ActionSet;
 class Tour;
 
-/// Begins the tour of the editor: five steps from the smoke to its export. @return null: there is nothing to be seen
+/// Begins the tour of the editor: six steps from the smoke to its export. @return null: there is nothing to be seen
 Tour* startWindowTour(QMainWindow& window, const ActionSet& actions);
 
 } // namespace fumage::ui
