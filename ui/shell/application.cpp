@@ -131,7 +131,7 @@ int run(int argc, char** argv)
     qInstallMessageHandler(nullptr);
     QApplication::setApplicationName(QStringLiteral("Fumage"));
     QApplication::setApplicationVersion(QStringLiteral(FUMAGE_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("fumage"));
+    QApplication::setDesktopFileName(desktopFileName());
     QApplication::setWindowIcon(themedIcon(QStringLiteral("fumage")));
 
     usePortableFolder();
@@ -180,6 +180,13 @@ int runEditor(int argc, char** argv)
     std::set_terminate(endByException);
     const std::optional<int> end = checkDisplay(argc, argv);
     return end ? *end : run(argc, argv);
+}
+
+QString desktopFileName()
+{
+    // The id of another Flatpak is there too, where one starts this program.
+    const QString id = QStringLiteral("io.github.fumage.Fumage");
+    return qEnvironmentVariable("FLATPAK_ID") == id ? id : QStringLiteral("fumage");
 }
 
 } // namespace fumage::ui
