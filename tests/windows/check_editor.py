@@ -7,7 +7,7 @@ Steps: pictures   what the viewport shows of every preset has the same bits as o
        files      a preset of any letters and more than 260 of them is opened, changed and saved; a picture is opened
        export     a picture is exported by the dialog
        recover    unsaved work is there again after a kill, after the end of the session and after Ctrl-C
-       install    the installer installs, offers its files, and takes everything away again
+       install    the installer installs, offers its files, and takes everything away again; not while it runs, and nothing of others
 What was seen lies in WINDOWS_BUILD/seen.
 """
 
@@ -241,6 +241,29 @@ class Checks:
     def registry(self, key):
         return subprocess.run([*WINE, "reg", "query", key], capture_output=True, text=True, errors="replace").stdout
 
+    def install_while_it_runs(self, setup, folder):
+        editor = Editor(folder)
+        if check(editor.wait(), "the installed program opens a window"):
+            note = folder / "LICENSE.txt"
+            note.write_text("old")
+            refused = lambda program: subprocess.run([*WINE, str(program), "/S", f"_?={in_wine(folder)}"], timeout=300).returncode == 2
+            check(refused(setup) and note.read_text() == "old", "nothing is installed while it runs")
+            check(refused(folder / "uninstall.exe") and note.exists() and (folder / "fumage.exe").exists(), "nothing is taken away while it runs")
+        editor.kill()
+
+    def install_beside_others(self, setup):
+        """In a folder of other things a folder of its own is made, and they stay."""
+        other = self.place / f"andra_{ODD.replace(' ', '')}"
+        theirs = [other / name for name in ("README.txt", "uninstall.exe", "licences/theirs.txt")]
+        for file in theirs:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text("theirs")
+        subprocess.run([*WINE, str(setup), "/S", f"/D={in_wine(other)}"], timeout=300)
+        ours = other / "Fumage"
+        check(until((ours / "uninstall.exe").exists, 120), "in a folder of other things it gets one of its own")
+        subprocess.run([*WINE, str(ours / "uninstall.exe"), "/S"], timeout=300)
+        check(until(lambda: not ours.exists(), 60) and all(file.read_text() == "theirs" for file in theirs), "and they stay when it goes")
+
     def install(self):
         setup = next((self.build / "packages").glob("*-setup.exe"))
         subprocess.run([*WINE, str(setup), "/S"], timeout=300)
@@ -257,9 +280,11 @@ class Checks:
         check(list(prefix.rglob("Start Menu/Programs/Fumage.lnk")), "it is in the start menu")
         done = subprocess.run([*WINE, str(folder / "fumage.exe"), "--keys"], capture_output=True, text=True, errors="replace", timeout=120)
         check("Ctrl+Z" in done.stdout, "the installed program says its keys")
+        self.install_while_it_runs(setup, folder)
         subprocess.run([*WINE, str(folder / "uninstall.exe"), "/S"], timeout=300)
         check(until(lambda: not folder.exists(), 60), f"the uninstaller takes it away {sorted(p.name for p in folder.rglob('*'))[:4] if folder.exists() else ''}")
         check("Fumage." not in self.registry("HKCU\\Software\\Classes\\.json\\OpenWithProgids"), "and its offers")
+        self.install_beside_others(setup)
 
 
 def main():
