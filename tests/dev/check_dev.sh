@@ -75,6 +75,8 @@ echo "-- called from another folder"
 tool fumage 'echo "opens $*"'
 cp "$machine/fumage" "$tree/build/release/bin"
 says "opens $tree/build/../smoke.json /smoke.json --verbose" 'cd build; DISPLAY=:9 ../dev run ../smoke.json /smoke.json --verbose'
+mkdir -p "$machine/decoy/tree"
+says "opens /smoke.json" 'cd ..; export CDPATH=$PWD/decoy DISPLAY=:9; tree/dev run /smoke.json'
 for call in 'tree/dev' 'bash tree/dev'; do
     says 'build_consumer.sh: No such file' "cd ..; $call check subproject || cat tree/build/check/subproject.log"
 done
