@@ -80,6 +80,12 @@ says "opens /smoke.json" 'cd ..; export CDPATH=$PWD/decoy DISPLAY=:9; tree/dev r
 for call in 'tree/dev' 'bash tree/dev'; do
     says 'build_consumer.sh: No such file' "cd ..; $call check subproject || cat tree/build/check/subproject.log"
 done
+echo "-- under a sanitizer run the tests that can, with what it has to be told"
+for each in comm sed sort; do
+    ln -s "$(command -v $each)" "$machine/$each"
+done
+tool ctest 'echo "ctest $* $TSAN_OPTIONS"'
+says '-LE unsanitized|unthreaded suppressions=' './dev test tsan'
 echo "-- packages are everybody's to read, whatever is usual here"
 for each in help2man rsvg-convert dpkg-shlibdeps xdotool man zsh readelf file lintian patchelf qmake6 rm; do
     tool $each ''
