@@ -20,7 +20,7 @@ plugins=(platforms/libq{xcb,offscreen}.so platforms/libqwayland-{egl,generic}.so
     wayland-shell-integration/libxdg-shell.so wayland-decoration-client/libbradient.so
     wayland-graphics-integration-client/libqt-plugin-wayland-egl.so
     platforminputcontexts/lib{compose,ibus}platforminputcontextplugin.so
-    imageformats/libq{jpeg,svg,gif}.so iconengines/libqsvgicon.so)
+    imageformats/libq{jpeg,gif}.so)
 qt_plugins=$(qmake6 -query QT_INSTALL_PLUGINS)
 for plugin in "${plugins[@]}"; do
     [ -f "$qt_plugins/$plugin" ] || { echo "Qt's plugin $plugin is not here: is qt6-wayland installed?"; exit 1; }

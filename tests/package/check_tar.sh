@@ -36,6 +36,16 @@ while read -r package _; do
     [ -s "$app/licenses/${package%:*}.txt" ] || fail "the licence of $package is missing"
 done < "$app/licenses/packages.txt"
 grep -q '^libqt6core6[: ]' "$app/licenses/packages.txt" || fail "the licences do not know Qt"
+# A bare machine makes the same tar: all that is in it is of packages that ./dev package installs, or of what those need.
+if command -v apt-cache > /dev/null; then
+    program_packages=() package_packages=()
+    eval "$(awk '/^(program|package)_packages=\(/ { inside = 1 } inside { print } /\)$/ { inside = 0 }' "$source/dev")"
+    apt-cache depends --recurse --no-recommends --no-suggests --no-enhances --no-conflicts --no-breaks --no-replaces \
+        "${program_packages[@]}" "${package_packages[@]}" > "$root/needed"
+    while read -r package _; do
+        grep -qxF "${package%:*}" "$root/needed" || fail "$package is in it, which only this machine happens to have"
+    done < "$app/licenses/packages.txt"
+fi
 
 echo "-- libraries"
 mapfile -t files < <(elf_files "$app")
