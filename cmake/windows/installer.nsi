@@ -59,8 +59,11 @@ LangString Running ${LANG_SIMPCHINESE} "Fumage 正在运行。请先关闭它，
 
 Section
     ; A folder of other things stays theirs: our README.txt, uninstall.exe and licences would take the place of their own.
+    ; One that is called Fumage is ours, whatever users have left in it.
     ${DirState} "$INSTDIR" $0
+    ${GetFileName} "$INSTDIR" $1
     ${If} $0 = 1
+    ${AndIf} $1 != "Fumage"
     ${AndIfNot} ${FileExists} "$INSTDIR\fumage.exe"
         StrCpy $INSTDIR "$INSTDIR\Fumage"
     ${EndIf}
