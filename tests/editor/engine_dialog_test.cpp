@@ -92,6 +92,8 @@ private slots:
         press(u"engine.copy"_q);
         QVERIFY(QFile::exists(QGuiApplication::clipboard()->text()));
         QVERIFY(part<QPushButton>(u"engine.show"_q).isEnabled());
+        m_queue->removeEnded(); // the files are there still
+        QVERIFY(part<QPushButton>(u"engine.show"_q).isEnabled() && m_dialog->stage().isPlaying());
         m_dialog->hide();
         QVERIFY(!m_dialog->stage().isPlaying());
     }

@@ -788,6 +788,21 @@ private slots:
         QVERIFY(child<QLabel>(u"export.state"_q)->text().isEmpty());
     }
 
+    void anExportThatIsTakenOutOfTheQueueIsForgotten()
+    {
+        m_document->replaceEffect(smallSmoke(), u"small"_q);
+        m_dialog->setKind(ExportKind::NoiseTexture);
+        typePath(m_folder.filePath(u"taken.png"_q));
+        QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->rowCount(), 1, kEndMs);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->at(0).state, ExportState::Done, kEndMs);
+        QVERIFY(child<QPushButton>(u"export.show"_q)->isVisible());
+        m_queue->removeEnded(); // as the panel of the queue does, while the dialog is open
+        QVERIFY(!child<QPushButton>(u"export.show"_q)->isVisible()); // nothing is left that it could show
+        QVERIFY(!child<QPushButton>(u"export.cancel"_q)->isVisible());
+        QVERIFY(child<QLabel>(u"export.state"_q)->text().isEmpty());
+    }
+
     void cellsAreCalledCells()
     {
         const auto* label = child<QLabel>(u"output.width.label"_q);

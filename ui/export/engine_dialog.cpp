@@ -296,7 +296,8 @@ void EngineDialog::showResult()
 void EngineDialog::followProgress()
 {
     const QueuedExport* last = m_progress->followed();
-    const bool isDone = last != nullptr && last->state == ExportState::Done;
+    // Its files are there, whether the queue knows of it still or not.
+    const bool isDone = last != nullptr ? last->state == ExportState::Done : m_isRead;
     m_cancel->setVisible(last != nullptr && last->isActive());
     m_show->setEnabled(isDone);
     m_copy->setEnabled(isDone);

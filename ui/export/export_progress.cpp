@@ -38,6 +38,11 @@ ExportProgress::ExportProgress(const ExportQueue& queue, QWidget* parent)
             emit changed();
         }
     });
+    connect(&queue, &QAbstractItemModel::rowsRemoved, this, [this] {
+        if (m_id != 0 && followed() == nullptr) { // somebody has taken it out of the queue
+            follow(0);
+        }
+    });
 }
 
 void ExportProgress::follow(quint64 id)
