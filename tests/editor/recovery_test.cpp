@@ -1,6 +1,7 @@
 // Copies of unsaved work: when they come, who has them, and that none is lost on the way.
 #include "editor_helpers.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/document/recovery.h"
 
 #include "core/effect/known_parameter.h"
@@ -26,6 +27,27 @@ private slots:
         QVERIFY(isNothing(Recovery::find(QDir(folder.path())))); // its program is running
         document.undoStack()->undo();
         QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 0);
+    }
+
+    /// Each frame of what changes over time tells of a change; it is none that a copy waits for, or is written for.
+    void unsavedWorkIsOnDiskAlsoWhileKeyFramesArePlayed()
+    {
+        const QTemporaryDir folder;
+        Document document;
+        Recovery recovery(document, QDir(folder.path()));
+        const QSignalSpy written(&recovery, &Recovery::written);
+        addKey(document, knownParameter("glow.emission"));
+        QTimer frames;
+        int frame = 0;
+        connect(&frames, &QTimer::timeout, &document, [&] { document.setSeconds(++frame / 30.0); });
+        frames.start(30);
+        QTRY_COMPARE(written.count(), 1);
+        QCOMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 1);
+        const int then = frame;
+        QTRY_VERIFY_WITH_TIMEOUT(frame > then + 60, 30000); // long enough for another, did it hold anything else
+        QCOMPARE(written.count(), 1);
+        document.edit(knownParameter("motion.gravity"), 7.0F);
+        QTRY_COMPARE(written.count(), 2);
     }
 
     void aCopyThatIsBeingWrittenDoesNotOutliveItsWork()

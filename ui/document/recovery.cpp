@@ -69,9 +69,12 @@ Recovery::Recovery(Document& document, const QDir& folder, QObject* parent)
 {
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoonMs);
-    connect(&m_soon, &QTimer::timeout, this, &Recovery::save);
+    connect(&m_soon, &QTimer::timeout, this, &Recovery::saveUnlessKept);
     connect(&document, &Document::effectChanged, this, &Recovery::follow);
-    connect(&document, &Document::titleChanged, this, &Recovery::follow);
+    connect(&document, &Document::titleChanged, this, [this] {
+        m_kept.reset(); // the copy tells of the file, too
+        follow();
+    });
 }
 
 Recovery::~Recovery()
@@ -86,10 +89,17 @@ void Recovery::follow()
     if (m_isLeft) {
         return;
     }
-    if (m_document.isModified()) {
-        m_soon.start();
-    } else {
+    if (!m_document.isModified()) {
         discard();
+    } else if (!m_soon.isActive()) { // where keys are played there is a change at each frame: none may put it off
+        m_soon.start();
+    }
+}
+
+void Recovery::saveUnlessKept()
+{
+    if (!m_kept || !(*m_kept == m_document.scene())) {
+        save();
     }
 }
 
@@ -99,6 +109,7 @@ void Recovery::save()
     if (!m_document.isModified()) {
         return;
     }
+    m_kept = m_document.scene();
     m_writing.ask(
         [this, write = writer()](const AsyncRequest::Report& report, const std::stop_token& stop) {
             const std::lock_guard lock(m_files);
@@ -139,11 +150,15 @@ void Recovery::note(const Status& copy)
         emit failed(translated(copy.error()));
     }
     m_hasFailed = !copy;
+    if (!copy) {
+        m_kept.reset();
+    }
 }
 
 void Recovery::discard()
 {
     m_soon.stop();
+    m_kept.reset();
     m_writing.forget();
     const std::lock_guard lock(m_files); // what is being written must not come after its end
     removeCopy(m_copy.path);

@@ -13,7 +13,7 @@
 
 namespace fumage::ui {
 
-/// Keeps a copy of unsaved work on disk, a moment after each change, and takes it away once the work is saved or given
+/// Keeps a copy of unsaved work on disk, a moment after each change, also while one comes after another, and takes it away once the work is saved or given
 /// up: what is there when a program starts, and belongs to no running one, is what a crash has left. The copies are for
 /// the user's eyes alone. They are written on a thread of their own: until a disk has them for certain takes longer
 /// than a hand that drags may wait.
@@ -66,12 +66,15 @@ signals:
 
 private:
     void follow();
+    /// What follows a change: the time that is shown may be another, and nothing else.
+    void saveUnlessKept();
     [[nodiscard]] std::function<Status()> writer() const;
     void note(const Status& copy);
 
     Document& m_document;
     OwnFile m_copy; ///< files beside it have its name and more
     QTimer m_soon;
+    std::optional<Scene> m_kept; ///< in the copy that was asked for last
     bool m_onTrial = false; ///< adopted work has not been shown yet
     bool m_hasFailed = false;
     bool m_isLeft = false;
