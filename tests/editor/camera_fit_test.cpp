@@ -2,6 +2,7 @@
 #include "editor_helpers.h"
 #include "picture_helpers.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/viewport/camera_fit.h"
 
 #include "core/effect/known_parameter.h"
@@ -75,6 +76,23 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatienceMs);
         QVERIFY(document.effect().camera == fitted(wanted));
         QCOMPARE(document.effect().camera.yaw, 90.0F);
+    }
+
+    void whatChangesOverTimeIsFittedWhileItPlays()
+    {
+        Document document;
+        document.load(presetOf(shortEffect()), {});
+        addKey(document, knownParameter("glow.emission"));
+        CameraFit fit(document);
+        QSignalSpy ended(&fit, &CameraFit::ended);
+        QTimer frames;
+        int frame = 0;
+        connect(&frames, &QTimer::timeout, &document, [&] { document.setSeconds(++frame / 30.0); });
+        frames.start(0);
+        fit.start();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatienceMs);
+        QVERIFY(frame > 1);
+        QVERIFY(document.effect().camera == fitted(shortEffect()));
     }
 
     void anotherDocumentKeepsItsCamera()

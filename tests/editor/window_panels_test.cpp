@@ -1,6 +1,7 @@
 // Panels in their window: what the sliders, the browser and the variations do to document and picture.
 #include "window_fixture.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/number_field.h"
@@ -166,6 +167,21 @@ private slots:
         dock->resize(760, 860);
         QTRY_VERIFY(cell->iconSize().width() > before + 80);
         QVERIFY(cell->geometry().right() < variations->width());
+    }
+
+    void variationsFollowTheSmokeWhileKeyFramesArePlayed()
+    {
+        Document& document = m_window->document();
+        addKey(document, knownParameter("glow.emission"));
+        trigger("edit.variations");
+        auto* variations = m_window->findChild<VariationsPanel*>();
+        QTRY_VERIFY(variations->isVisible());
+        QTimer frames;
+        int frame = 0;
+        connect(&frames, &QTimer::timeout, &document, [&] { document.setSeconds(++frame / 30.0); });
+        frames.start(10);
+        document.edit(knownParameter("motion.gravity"), 2.0F);
+        QTRY_COMPARE(variations->effectOf(VariationsPanel::kMiddle).motion.gravity, 2.0F);
     }
 
     void aVariationIsAdoptedAndUndone()

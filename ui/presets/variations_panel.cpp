@@ -164,7 +164,7 @@ void VariationsPanel::fill()
 void VariationsPanel::propose(int cell, int attempt)
 {
     Effect& effect = m_effects[static_cast<std::size_t>(cell)];
-    effect = m_document.effect();
+    effect = edited();
     if (cell != kMiddle) {
         // Nearer to the smoke as it is, which shows something, with each attempt.
         const float amount = std::ldexp(static_cast<float>(m_amount->value()) / 100.0F, -attempt);
@@ -214,9 +214,15 @@ void VariationsPanel::goBack()
     }
 }
 
-void VariationsPanel::follow()
+Effect VariationsPanel::edited() const
 {
-    if (!(m_effects[kMiddle] == m_document.effect())) {
+    return m_document.scene().effect(m_document.layer());
+}
+
+/// While key frames are played each frame tells of a change, which is none of the smoke.
+void VariationsPanel::follow(const EffectChange& change)
+{
+    if (change.isOfScene || !(m_effects[kMiddle] == edited())) {
         m_settle.start();
     }
 }

@@ -46,7 +46,9 @@ private:
     void fill();
     void adopt(int cell);
     void goBack();
-    void follow();
+    void follow(const EffectChange& change);
+    /// The layer that is edited, without its key frames.
+    [[nodiscard]] Effect edited() const;
     /// @param attempt 0, or how many candidates for this cell have shown nothing
     void propose(int cell, int attempt);
     void receive(const QString& name, const QImage& image);

@@ -18,8 +18,8 @@ CameraFit::CameraFit(Document& document)
     , m_job([this](const Request& request, const std::stop_token& stop) { work(request, stop); },
           [this](const Request& request, const Error& why) { report(request, [this, why] { end(why); }); })
 {
-    connect(&m_document, &Document::effectChanged, this, [this] {
-        if (m_running) {
+    connect(&m_document, &Document::effectChanged, this, [this](const EffectChange& change) {
+        if (m_running && change.isOfScene) { // all frames are looked at, whichever is shown
             post();
         }
     });
