@@ -8,6 +8,7 @@
 #include "ui/panels/parameter_row.h"
 #include "ui/timeline/key_clipboard.h"
 #include "ui/timeline/key_mends.h"
+#include "ui/widgets/gesture.h"
 
 #include "core/effect/known_parameter.h"
 
@@ -178,6 +179,36 @@ private slots:
         QApplication::clipboard()->setText(QStringLiteral("no keys"));
         QVERIFY(!hasCopiedKeys());
         QVERIFY(pasteKeys(*m_document).empty());
+    }
+
+    void escapeTakesBackTheKeyThatADragHasSet_data()
+    {
+        QTest::addColumn<bool>("autoKey");
+        QTest::newRow("with auto-key") << true;
+        QTest::newRow("between key frames") << false;
+    }
+    void escapeTakesBackTheKeyThatADragHasSet()
+    {
+        QFETCH(bool, autoKey);
+        if (!autoKey) {
+            setTracks({trackOf(kRate, {{0.0, 0.0F}, {2.0, 1.0F}})});
+        }
+        m_player->setFrame(30);
+        m_document->setAutoKey(autoKey);
+        const Scene before = m_document->scene();
+        const int steps = m_document->undoStack()->count();
+        Locks locks;
+        ParameterRow row(kRate, *m_document, locks, nullptr);
+        emit row.editor().edited(0.7F, false);
+        QCOMPARE(timesOf(*m_document, kRate).size(), autoKey ? std::size_t{1} : std::size_t{3});
+        DragCancel cancel;
+        QApplication::sendEvent(&row, &cancel);
+        QVERIFY(cancel.isAccepted());
+        emit row.editor().edited(0.8F, true); // the release
+        QVERIFY(m_document->scene() == before);
+        QCOMPARE(m_document->undoStack()->count(), steps);
+        emit row.editor().edited(0.9F, true); // the next gesture is one again
+        QCOMPARE(m_document->undoStack()->count(), steps + 1);
     }
 
     void aLockedLayerKeepsItsKeys()

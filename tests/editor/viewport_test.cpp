@@ -298,6 +298,48 @@ private slots:
         QVERIFY(*document.track(position) == way);
     }
 
+    /// Also where it has set a key frame.
+    void escapeInADragOfAGizmoLeavesNothing_data()
+    {
+        QTest::addColumn<bool>("autoKey");
+        QTest::addColumn<bool>("hasKeys");
+        QTest::newRow("a value") << false << false;
+        QTest::newRow("auto-key") << true << false;
+        QTest::newRow("between key frames") << false << true;
+    }
+    void escapeInADragOfAGizmoLeavesNothing()
+    {
+        QFETCH(bool, autoKey);
+        QFETCH(bool, hasKeys);
+        const Parameter& normal = knownParameter("emitter.normal");
+        Preset preset;
+        if (hasKeys) {
+            preset.scene.layers[0].tracks.set(
+                {&normal, {{0.0, glm::vec3(0.0F, 1.0F, 0.0F)}, {2.0, glm::vec3(0.0F, 0.8F, 0.6F)}}});
+        }
+        Document document;
+        document.load(preset, {});
+        document.setSeconds(1.0);
+        document.setAutoKey(autoKey);
+        SplitView split;
+        QWidget surface;
+        surface.resize(800, 600);
+        const auto view = [&] { return windowView(document.scene(), 0, 800, 600); };
+        const ViewportInput input(document, split, surface, view);
+        const Effect shown = document.effect();
+        const QPoint from = onScreen(view(), gizmoOf(shown, view(), GizmoId::EmitterNormal).to).toPoint();
+        QTest::mousePress(&surface, Qt::LeftButton, {}, from);
+        QMouseEvent away(QEvent::MouseMove, from + QPoint(31, 9), surface.mapToGlobal(from), Qt::NoButton,
+            Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&surface, &away);
+        QVERIFY(!(normal.get(document.effect()) == normal.get(shown)));
+        QCOMPARE(document.track(normal) != nullptr, autoKey || hasKeys);
+        DragCancel cancel;
+        QApplication::sendEvent(&surface, &cancel);
+        QVERIFY(document.scene() == preset.scene);
+        QVERIFY(!document.undoStack()->canUndo());
+    }
+
 private:
     static void addGizmos()
     {

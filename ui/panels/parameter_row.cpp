@@ -76,9 +76,11 @@ void ParameterRow::edit(const Value& value, bool finished)
     if (m_gesture.id == 0) {
         m_gesture = m_document.beginGesture();
         m_before = stored().get(m_document.effect());
+        const Track* track = m_document.track(stored());
+        m_trackBefore = track != nullptr ? std::optional(*track) : std::nullopt;
     }
     if (m_isTakenBack) {
-        m_document.edit(stored(), m_before, m_gesture);
+        takeBack();
     } else {
         m_document.edit(parameter(), value, m_gesture);
     }
@@ -88,6 +90,15 @@ void ParameterRow::edit(const Value& value, bool finished)
         // What the document made of it: clamped perhaps, or unchanged.
         m_hasShown = false;
         sync();
+    }
+}
+
+void ParameterRow::takeBack()
+{
+    if (m_document.track(stored()) != nullptr) { // a key of the old value is one more than there was
+        replaceTracks(m_document, {m_trackBefore.value_or(Track{&stored(), {}})}, {}, m_gesture);
+    } else {
+        m_document.edit(stored(), m_before, m_gesture);
     }
 }
 

@@ -8,6 +8,8 @@
 
 #include <QLabel>
 
+#include <optional>
+
 class QMenu;
 class QToolButton;
 
@@ -53,6 +55,8 @@ private:
         friend bool operator==(const State&, const State&) = default;
     };
     void edit(const Value& value, bool finished);
+    /// Value and key frames are as they were before the gesture.
+    void takeBack();
     void showState();
     void showName();
     void showLock(bool locked);
@@ -69,6 +73,7 @@ private:
     KeyMark* m_key = nullptr; ///< null: the parameter cannot change over time
     Gesture m_gesture; ///< of the edits since the last finished one
     Value m_before; ///< the gesture
+    std::optional<Track> m_trackBefore; ///< the gesture; nothing: it had no key frames
     bool m_isTakenBack = false; ///< the gesture ends where it began
     Value m_shown;
     State m_state;

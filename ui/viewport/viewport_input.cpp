@@ -109,11 +109,8 @@ void ViewportInput::press(const QMouseEvent& event)
         return; // a second button
     }
     if (const std::optional<Grip> grip = gripFor(event)) {
-        m_drag =
-            Drag{*grip, event.button(), EndlessWay(), m_document.effect(), {}, m_view(), m_document.beginGesture()};
-        if (const Track* before = way()) {
-            m_drag->emitterWay = {*before};
-        }
+        m_drag = Drag{*grip, event.button(), EndlessWay(), m_document.effect(), m_document.scene(), m_view(),
+            m_document.beginGesture()};
         m_drag->isClick = event.button() == Qt::LeftButton && std::holds_alternative<CameraMove>(*grip);
         m_drag->way.begin(event);
     }
@@ -136,14 +133,17 @@ void ViewportInput::release(const QMouseEvent& event)
 
 void ViewportInput::takeBack()
 {
-    m_document.moveCamera(m_drag->before.camera, m_drag->gesture);
-    std::vector<Assignment> assignments;
-    for (const Parameter* parameter : differences(m_drag->before, m_document.effect())) {
-        assignments.push_back({parameter, parameter->get(m_drag->before)});
-    }
-    if (std::holds_alternative<WayKey>(m_drag->grip)) {
-        replaceTracks(m_document, m_drag->emitterWay, {}, m_drag->gesture);
-    } else if (!assignments.empty()) {
+    const Scene& before = m_drag->scene;
+    const std::size_t layer = m_document.layer();
+    const bool isThere = layer < before.layers.size();
+    if (isThere && !(before.allTracks(layer) == m_document.scene().allTracks(layer))) {
+        m_document.replaceScene(before, m_document.selection(), {}, m_drag->gesture); // keys that came go, too
+    } else {
+        m_document.moveCamera(m_drag->before.camera, m_drag->gesture);
+        std::vector<Assignment> assignments;
+        for (const Parameter* parameter : differences(m_drag->before, m_document.effect())) {
+            assignments.push_back({parameter, parameter->get(m_drag->before)});
+        }
         m_document.edit(assignments, {}, m_drag->gesture);
     }
     m_drag.reset();
@@ -181,8 +181,17 @@ const Track* ViewportInput::way() const
 
 void ViewportInput::drag(WayKey key, const QMouseEvent& event)
 {
-    Track way = m_drag->emitterWay.front();
-    KeyFrame moved = *keyAt(way, key.seconds);
+    const Parameter& position = knownParameter("emitter.position");
+    const std::size_t layer = m_document.layer();
+    const Track* before = layer < m_drag->scene.layers.size()
+        ? m_drag->scene.tracksOf(position, layer).find(position)
+        : nullptr;
+    const KeyFrame* gripped = before != nullptr ? keyAt(*before, key.seconds) : nullptr;
+    if (gripped == nullptr) {
+        return; // another layer is edited by now
+    }
+    Track way = *before;
+    KeyFrame moved = *gripped;
     const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
     moved.value = placeFacing(m_drag->view, std::get<glm::vec3>(moved.value), event.position(), snap);
     setKey(way, moved);

@@ -54,7 +54,7 @@ private:
         Qt::MouseButton button;
         EndlessWay way;
         Effect before;
-        std::vector<Track> emitterWay; ///< of the emitter, before; empty: it does not move
+        Scene scene; ///< before
         View view;
         Gesture gesture;
         bool isClick = false; ///< as long as the mouse stays where the left button was pressed
