@@ -132,6 +132,15 @@ private slots:
         QMouseEvent idle(QEvent::MouseMove, from, grip->mapToGlobal(from + QPoint(0, 30)), Qt::NoButton, {}, {});
         QApplication::sendEvent(grip, &idle); // nobody holds it
         QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight + 40);
+        QTest::mousePress(grip, Qt::LeftButton, {}, from);
+        QMouseEvent up(QEvent::MouseMove, from, grip->mapToGlobal(from - QPoint(0, 30)), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(grip, &up);
+        QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight + 70);
+        DragCancel cancel; // Escape
+        QApplication::sendEvent(grip, &cancel);
+        QVERIFY(cancel.isAccepted());
+        QTest::mouseRelease(grip, Qt::LeftButton, {}, from);
+        QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight + 40);
         drag(2000);
         QCOMPARE(m_bar->graphHeight(), KeyGraph::kMinHeight);
         drag(-2000);

@@ -1,5 +1,7 @@
 #include "ui/timeline/graph_grip.h"
 
+#include "ui/widgets/gesture.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -15,6 +17,17 @@ GraphGrip::GraphGrip(QWidget* parent)
     setToolTip(tr("Drag for a higher graph; a double-click gives it its usual height"));
     setCursor(Qt::SizeVerCursor);
     setFixedHeight(kThickness);
+}
+
+bool GraphGrip::event(QEvent* event)
+{
+    if (event->type() == DragCancel::type() && m_from) {
+        m_from.reset();
+        emit dragged(0); // as high as it was
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 void GraphGrip::paintEvent(QPaintEvent* /*event*/)
