@@ -239,6 +239,29 @@ private slots:
         QVERIFY(m_document->scene() == preset.scene);
     }
 
+    void severalAreResetWithTheirKeysInOneStep()
+    {
+        Preset preset;
+        preset.scene.layers[0].tracks.set(trackOf(kRate, {{0.0, 0.0F}, {1.0, 1.0F}}));
+        m_document->load(preset, {});
+        Locks locks;
+        ParameterRow row(kEmission, *m_document, locks, nullptr);
+        row.sync();
+        QVERIFY(!row.isChanged());
+        addKey(*m_document, kEmission); // of the value that it has: it differs all the same
+        row.sync();
+        QVERIFY(row.isChanged() && differsFromReference(*m_document, kEmission));
+        removeAllKeys(*m_document, kRate);
+        m_document->edit(knownParameter("motion.gravity"), 3.0F);
+        const int steps = m_document->undoStack()->count();
+        resetParameters(
+            *m_document, {&kEmission, &kRate, &knownParameter("motion.gravity")}, QStringLiteral("Reset"));
+        QVERIFY(m_document->scene() == preset.scene);
+        QCOMPARE(m_document->undoStack()->count(), steps + 1);
+        row.sync();
+        QVERIFY(!row.isChanged());
+    }
+
     void aCameraWithKeysIsMovedByKeys()
     {
         const Parameter& yaw = knownParameter("camera.yaw");

@@ -105,6 +105,20 @@ private slots:
         QVERIFY(parameter.get(document.effect()) == before);
         QCOMPARE(settled(), first);
     }
+
+    void allParametersAreResetWithTheirKeyFrames()
+    {
+        Document& document = m_window->document();
+        const Scene before = document.scene();
+        document.edit(knownParameter("motion.gravity"), 2.0F);
+        addKey(document, knownParameter("glow.emission"));
+        addKey(document, knownParameter("wind.strength"));
+        trigger("edit.resetAll");
+        QVERIFY(document.scene() == before);
+        trigger("edit.undo");
+        QVERIFY(document.track(knownParameter("glow.emission")) != nullptr);
+    }
+
     // --- presets and variations ---
 
     void aPresetOfTheBrowserIsOpened()

@@ -2,6 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 
+#include "core/effect/shown_table.h"
 #include "core/effect/track_edits.h"
 
 #include <QCoreApplication>
@@ -26,6 +27,17 @@ void takeOut(Scene& scene, std::size_t layer, const Track& track, const Value& s
         scene.assign(layer, base);
     }
     scene.tracksOf(*track.parameter, layer).set(track);
+}
+
+/// The layer of the reference that the one which is edited is measured by.
+std::size_t referenceLayer(const Document& document)
+{
+    return document.layer() < document.referenceScene().layers.size() ? document.layer() : 0;
+}
+
+const Track* referenceTrack(const Document& document, const Parameter& stored)
+{
+    return document.referenceScene().tracksOf(stored, referenceLayer(document)).find(stored);
 }
 
 /// The tracks that hold some key frames, each once.
@@ -202,6 +214,31 @@ void mendKeys(Document& document, const Parameter& parameter, KeyFault fault)
 void mendKeys(Document& document)
 {
     document.replaceScene(withoutKeyFaults(document.scene()), document.selection(), KeyEdits::tr("Mend key frames"));
+}
+
+bool differsFromReference(const Document& document, const Parameter& parameter)
+{
+    const Parameter& stored = storedParameter(parameter);
+    const Track* now = document.track(stored);
+    const Track* before = referenceTrack(document, stored);
+    const bool hasSameKeys = now == nullptr || before == nullptr ? now == before : *now == *before;
+    return !hasSameKeys || !(parameter.get(document.effect()) == parameter.get(document.reference()));
+}
+
+void resetParameters(Document& document, const std::vector<const Parameter*>& parameters, const QString& text)
+{
+    Scene scene = document.scene();
+    const Effect reference = document.referenceScene().effect(referenceLayer(document));
+    Effect base = scene.effect(document.layer());
+    for (const Parameter* parameter : parameters) {
+        if (document.canEdit(*parameter)) {
+            parameter->set(base, parameter->get(reference));
+            const Track* track = referenceTrack(document, *parameter);
+            scene.tracksOf(*parameter, document.layer()).set(track != nullptr ? *track : Track{parameter, {}});
+        }
+    }
+    scene.assign(document.layer(), base);
+    document.replaceScene(scene, document.selection(), text);
 }
 
 std::vector<double> keyTimes(const Document& document)

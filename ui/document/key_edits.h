@@ -61,6 +61,14 @@ void mendKeys(Document& document, const Parameter& parameter, KeyFault fault);
 /// The same of all parameters of all visible layers that are not locked.
 void mendKeys(Document& document);
 
+/// Whether a parameter has another value than what was loaded or last saved, or other key frames.
+/// @param parameter of the table, or a derived one
+[[nodiscard]] bool differsFromReference(const Document& document, const Parameter& parameter);
+/// Sets parameters back to what was loaded or last saved, key frames too; those of a locked layer stay.
+/// @param parameters of the table
+/// @param text       of the undo step
+void resetParameters(Document& document, const std::vector<const Parameter*>& parameters, const QString& text);
+
 /// Times of all key frames of the layer that is edited and of what all layers share, in order, each once.
 [[nodiscard]] std::vector<double> keyTimes(const Document& document);
 

@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_group.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 #include "ui/panels/arrange.h"
@@ -207,11 +208,11 @@ void ParameterGroup::paste()
 
 void ParameterGroup::reset()
 {
-    std::vector<Assignment> before;
+    std::vector<const Parameter*> stored;
     for (const ParameterRow* row : m_rows) {
-        before.push_back({&row->stored(), row->stored().get(m_document.reference())});
+        stored.push_back(&row->stored());
     }
-    m_document.edit(before, tr("Reset “%1”").arg(m_label));
+    resetParameters(m_document, stored, tr("Reset “%1”").arg(m_label));
 }
 
 void ParameterGroup::contextMenuEvent(QContextMenuEvent* event)

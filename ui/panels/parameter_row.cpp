@@ -129,7 +129,7 @@ void ParameterRow::sync()
 
 void ParameterRow::showState()
 {
-    const State state{!(m_shown == parameter().get(m_document.reference())), m_locks.contains(stored())};
+    const State state{differsFromReference(m_document, parameter()), m_locks.contains(stored())};
     if (state == m_state) {
         return;
     }
@@ -227,7 +227,7 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
     menu.setObjectName(QStringLiteral("parameterMenu"));
     m_editor->addActions(menu, event->globalPos());
     QAction* reset = menu.addAction(tr("Reset"), this, [this] { m_document.reset(parameter()); });
-    reset->setEnabled(!(m_shown == parameter().get(m_document.reference())));
+    reset->setEnabled(isChanged());
     menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(stored(), stored().get(Effect())); });
     menu.addSeparator();
     if (m_key != nullptr) {

@@ -1,8 +1,10 @@
 #include "ui/shell/edit_actions.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/shell/action_table.h"
 
+#include "core/effect/parameter_table.h"
 #include "core/effect/variation.h"
 
 #include <QRandomGenerator>
@@ -23,8 +25,13 @@ EditActions::EditActions(const ActionSet& actions, Document& document, const Loc
 {
     connectUndo();
     m_actions.on("edit.randomise", this, &EditActions::randomise);
-    m_actions.on("edit.resetAll", this,
-        [this] { m_document.replaceEffect(m_document.reference(), tr("Reset all parameters")); });
+    m_actions.on("edit.resetAll", this, [this] {
+        std::vector<const Parameter*> all;
+        for (const Parameter& parameter : parameterTable()) {
+            all.push_back(&parameter);
+        }
+        resetParameters(m_document, all, tr("Reset all parameters"));
+    });
 }
 
 void EditActions::connectUndo()
