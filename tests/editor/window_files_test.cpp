@@ -66,6 +66,18 @@ private slots:
         QCOMPARE(readPresetFile(path.toStdString()).value().preset.scene.layers[0].motion.gravity, 3.0F);
     }
 
+    void aFileThatIsSavedWhileItIsOpenedAgainIsOpenedAsItIsThen()
+    {
+        const QString path = m_folder.filePath(u"again.json"_q);
+        QVERIFY(m_window->document().save(path).ok());
+        m_window->document().edit(knownParameter("motion.gravity"), 3.0F);
+        answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Save); });
+        QVERIFY(m_window->files().openFile(path));
+        QCOMPARE(m_window->document().effect().motion.gravity, 3.0F);
+        QVERIFY(!m_window->isWindowModified());
+        QCOMPARE(m_window->document().compareWithDisk(), DiskState::Same);
+    }
+
     void aBrokenFileIsToldAboutAndCostsNothing()
     {
         const QString path = m_folder.filePath(u"broken.json"_q);

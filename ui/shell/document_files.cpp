@@ -142,9 +142,9 @@ bool DocumentFiles::openFile(const QString& name)
 {
     const QString path = QFileInfo(name).absoluteFilePath();
     // Others may write it while people are asked below: then it has changed since it was read.
-    const FileMark mark = markOfFile(path);
+    FileMark mark = markOfFile(path);
     // Read first: a broken file must not cost the document that is open.
-    const Result<PresetReading> reading = readPresetFile(toPath(path));
+    Result<PresetReading> reading = readPresetFile(toPath(path));
     if (!reading) {
         if (reading.error().code == ErrorCode::FileNotFound) {
             m_settings.removeRecentFile(path);
@@ -154,6 +154,15 @@ bool DocumentFiles::openFile(const QString& name)
     }
     if (!confirmDiscard()) {
         return false;
+    }
+    // What was to be saved first may have been saved to this very file.
+    if (m_document.fileMark() != mark && m_document.fileMark() == markOfFile(path)) {
+        mark = m_document.fileMark();
+        reading = readPresetFile(toPath(path));
+        if (!reading) {
+            report(tr("Cannot open “%1”").arg(QFileInfo(path).fileName()), reading.error());
+            return false;
+        }
     }
     const std::optional<int> frame = reading.value().frame;
     // A picture is no place to save a preset to.
