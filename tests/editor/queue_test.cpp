@@ -296,6 +296,25 @@ private slots:
         QTRY_VERIFY(namesOnDisk().isEmpty());
     }
 
+    void whatWasLeftStaysWhereItIsUntilTheDiskTakesIt()
+    {
+        const ExportJob job = jobFor("one", at("one.png"));
+        const QString left = queueFolder().filePath(u"left.json"_q);
+        QVERIFY(writeJobsFile(left.toStdString(), {&job, 1}).ok());
+        {
+            const FileLimit limit(1000); // the disk is full
+            QVERIFY(m_queue->takeLeftovers().isEmpty());
+        }
+        QCOMPARE(m_queue->held(), 1);
+        QVERIFY(QFile::exists(left));
+        ExportQueue other(queueFolder()); // another program that is started now
+        QVERIFY(other.takeLeftovers().isEmpty());
+        QCOMPARE(other.rowCount(), 0);
+        QVERIFY(m_queue->setData(m_queue->index(0), u"One"_q, Qt::EditRole)); // there is room again
+        QTRY_VERIFY(!QFile::exists(left));
+        QCOMPARE(namesOnDisk(), QStringList{u"One"_q});
+    }
+
     void aQueueThatEndsWithItsProgramLeavesItsList()
     {
         addLong();

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <QFile>
+#include <utility>
 
 namespace fumage::ui {
 
@@ -297,11 +296,8 @@ QStringList ExportQueue::takeLeftovers()
             append(job, ExportState::Held);
         }
     }
-    if (!left.jobs.empty()) {
-        m_file.keepNow(unfinishedJobs());
-    }
-    for (const OwnFile& file : left.files) {
-        QFile::remove(file.path);
+    if (!left.files.empty()) {
+        m_file.takeOver(unfinishedJobs(), std::move(left.files));
     }
     return left.unreadable;
 }

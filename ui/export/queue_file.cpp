@@ -4,6 +4,9 @@
 
 #include <QFile>
 
+#include <algorithm>
+#include <iterator>
+
 namespace fumage::ui {
 
 namespace {
@@ -34,11 +37,12 @@ QueueFile::QueueFile(const QDir& folder, QObject* parent)
     , m_writer(std::make_unique<LatestOnlyWorker<ExportJobs>>(
           [this](const ExportJobs& jobs, const std::stop_token&) {
               QMetaObject::invokeMethod(
-                  this, [this, status = keepAt(m_file.path, jobs)] { report(status); }, Qt::QueuedConnection);
+                  this, [this, jobs, status = keepAt(m_file.path, jobs)] { report(status, jobs); },
+                  Qt::QueuedConnection);
           },
-          [this](const ExportJobs&, const Error& why) {
+          [this](const ExportJobs& jobs, const Error& why) {
               QMetaObject::invokeMethod(
-                  this, [this, why] { report(why); }, Qt::QueuedConnection);
+                  this, [this, jobs, why] { report(why, jobs); }, Qt::QueuedConnection);
           }))
 {
 }
@@ -46,7 +50,9 @@ QueueFile::QueueFile(const QDir& folder, QObject* parent)
 QueueFile::~QueueFile()
 {
     m_writer.reset(); // it may have dropped what it was asked for last
-    static_cast<void>(keepAt(m_file.path, m_latest)); // nobody is left to be told
+    if (keepAt(m_file.path, m_latest)) { // else nobody is left to be told
+        removeLeft();
+    }
 }
 
 void QueueFile::keep(ExportJobs jobs)
@@ -55,18 +61,29 @@ void QueueFile::keep(ExportJobs jobs)
     m_writer->post(m_latest);
 }
 
-void QueueFile::keepNow(const ExportJobs& jobs)
+void QueueFile::takeOver(const ExportJobs& jobs, std::vector<OwnFile> left)
 {
+    std::move(left.begin(), left.end(), std::back_inserter(m_left));
     m_latest = jobs;
-    report(keepAt(m_file.path, jobs));
+    report(keepAt(m_file.path, jobs), jobs);
 }
 
-void QueueFile::report(const Status& status)
+void QueueFile::report(const Status& status, const ExportJobs& written)
 {
-    if (!status && !m_hasFailed) {
+    if (status && written == m_latest) {
+        removeLeft();
+    } else if (!status && !m_hasFailed) {
         emit failed(translated(status.error()));
     }
     m_hasFailed = !status;
+}
+
+void QueueFile::removeLeft()
+{
+    for (const OwnFile& file : m_left) {
+        QFile::remove(file.path);
+    }
+    m_left.clear();
 }
 
 QueueFile::Leftovers QueueFile::find(const QDir& folder)

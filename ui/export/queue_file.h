@@ -30,14 +30,15 @@ public:
 
     /// Soon these are on the disk, and no others; none: there is no file.
     void keep(ExportJobs jobs);
-    /// Returns when they are.
-    void keepNow(const ExportJobs& jobs);
+    /// Returns when they are, and the files are gone in which some of them were left; while they cannot be written those
+    /// files stay, and belong to this program.
+    void takeOver(const ExportJobs& jobs, std::vector<OwnFile> left);
 
     /// What programs that are gone have left.
     struct Leftovers {
         ExportJobs jobs; ///< the newest list first
         QStringList unreadable; ///< files that are no lists; they stay
-        std::vector<OwnFile> files; ///< that they were read from: whoever keeps the jobs elsewhere takes them away
+        std::vector<OwnFile> files; ///< that they were read from: takeOver() takes them away
     };
     [[nodiscard]] static Leftovers find(const QDir& folder);
 
@@ -46,9 +47,12 @@ signals:
     void failed(const QString& message);
 
 private:
-    void report(const Status& status);
+    /// @param written what the disk was to hold
+    void report(const Status& status, const ExportJobs& written);
+    void removeLeft();
 
     const OwnFile m_file;
+    std::vector<OwnFile> m_left; ///< by programs that are gone, until what they hold is in the file of this one
     bool m_hasFailed = false;
     ExportJobs m_latest; ///< what was to be kept last
     std::unique_ptr<LatestOnlyWorker<ExportJobs>> m_writer;
