@@ -262,6 +262,40 @@ private slots:
         QVERIFY(file.readAll().contains("\"flavour\": \"vanilla\""));
     }
 
+    void whatIsUnknownGoesWithItsLayer()
+    {
+        Preset preset;
+        preset.scene.layers.resize(3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            preset.scene.layers[i].name = std::string(1, "abc"[i]);
+            preset.scene.layers[i].emitter.seed = static_cast<std::uint32_t>(i) + 1;
+        }
+        std::string more = formatPreset(preset);
+        more.insert(more.find("\"name\": \"b\""), "\"flavour\": \"vanilla\", ");
+        Document document;
+        document.load(parsePreset(more).value().preset, {});
+        const auto owner = [&] { // as a file would say
+            const Preset saved = parsePreset(formatPreset(document.preset())).value().preset;
+            return saved.unknown.empty() ? std::string("none") : saved.scene.layers[saved.unknown[0].layer].name;
+        };
+        QCOMPARE(owner(), std::string("b"));
+        moveLayers(document, {0}, 3); // b, c, a
+        QCOMPARE(owner(), std::string("b"));
+        removeLayers(document, {2});
+        QCOMPARE(owner(), std::string("b"));
+        removeLayers(document, {0});
+        QCOMPARE(owner(), std::string("none"));
+        addLayer(document);
+        QCOMPARE(owner(), std::string("none"));
+        document.undoStack()->undo();
+        document.undoStack()->undo();
+        QCOMPARE(owner(), std::string("b"));
+        renameLayer(document, 0, u"other"_q);
+        QCOMPARE(owner(), std::string("other"));
+        document.undoStack()->setIndex(0);
+        QCOMPARE(owner(), std::string("b"));
+    }
+
     void everyParameterSurvivesEditUndoAndRedo_data() { addParameterRows(); }
     void everyParameterSurvivesEditUndoAndRedo()
     {

@@ -254,8 +254,7 @@ private slots:
         removeAllKeys(*m_document, kRate);
         m_document->edit(knownParameter("motion.gravity"), 3.0F);
         const int steps = m_document->undoStack()->count();
-        resetParameters(
-            *m_document, {&kEmission, &kRate, &knownParameter("motion.gravity")}, QStringLiteral("Reset"));
+        resetParameters(*m_document, {&kEmission, &kRate, &knownParameter("motion.gravity")}, QStringLiteral("Reset"));
         QVERIFY(m_document->scene() == preset.scene);
         QCOMPARE(m_document->undoStack()->count(), steps + 1);
         row.sync();

@@ -133,7 +133,8 @@ private slots:
         QApplication::sendEvent(grip, &idle); // nobody holds it
         QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight + 40);
         QTest::mousePress(grip, Qt::LeftButton, {}, from);
-        QMouseEvent up(QEvent::MouseMove, from, grip->mapToGlobal(from - QPoint(0, 30)), Qt::NoButton, Qt::LeftButton, {});
+        QMouseEvent up(
+            QEvent::MouseMove, from, grip->mapToGlobal(from - QPoint(0, 30)), Qt::NoButton, Qt::LeftButton, {});
         QApplication::sendEvent(grip, &up);
         QCOMPARE(m_bar->graphHeight(), KeyGraph::kHeight + 70);
         DragCancel cancel; // Escape

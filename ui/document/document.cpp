@@ -133,6 +133,7 @@ bool hasSameLayers(const Scene& one, const Scene& other)
 Document::Document(const Preset& first, QObject* parent)
     : QObject(parent)
     , m_preset(first)
+    , m_unknown(first)
     , m_effect(first.scene.effect())
     , m_referenceScene(first.scene)
     , m_reference(m_effect)
@@ -262,6 +263,7 @@ void Document::load(const Preset& preset, const QString& path, bool modified, co
     m_fileIsGone = false;
     m_undo.clear();
     m_preset = preset;
+    m_unknown.reset(preset);
     m_selection = {};
     m_effect = preset.scene.effectAt(0, m_seconds);
     m_path = path;
@@ -312,6 +314,7 @@ Result<PresetReading> Document::reload()
     m_read = now;
     replaceScene(scene, std::min(layer(), scene.layers.size() - 1), tr("Reload"));
     m_preset = reading.value().preset;
+    m_unknown.reset(m_preset);
     m_unsavedFromStart = false;
     m_fileIsGone = false;
     m_undo.setClean();
@@ -364,7 +367,9 @@ void Document::write(const Scene& scene, const LayerSelection& selection, std::v
     const bool isSameLayer = active == layer();
     addKeyed(m_preset.scene, layer(), changed);
     addKeyed(scene, active, changed);
+    const std::size_t before = m_preset.scene.layers.size();
     m_preset.scene = scene;
+    m_unknown.follow(m_preset, before);
     m_selection = selection;
     m_effect = scene.effectAt(active, m_seconds);
     m_reference = referenceNow(active);

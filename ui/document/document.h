@@ -2,6 +2,7 @@
 
 #include "ui/document/commands.h"
 #include "ui/document/file_mark.h"
+#include "ui/document/unknown_places.h"
 #include "ui/document/views.h"
 
 #include "core/effect/parameter.h"
@@ -167,6 +168,7 @@ private:
     void editKeys(const std::vector<EditCommand::Change>& changes, const QString& text, Gesture gesture);
 
     Preset m_preset;
+    UnknownPlaces m_unknown; ///< of what the preset's file says beside what is known
     LayerSelection m_selection;
     Effect m_effect; ///< the active layer
     Scene m_referenceScene;

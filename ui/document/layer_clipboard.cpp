@@ -2,6 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
+#include "ui/document/unknown_places.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
@@ -32,9 +33,8 @@ Preset partOf(const Preset& preset, const LayerPlaces& layers)
     }
     dropBrokenParents(part.scene);
     for (UnknownMember member : preset.unknown) {
-        const bool isOfLayer = member.group == "layer" || groupScope(member.group) == Scope::Layer;
         const auto place = std::find(layers.begin(), layers.end(), member.layer);
-        if (isOfLayer && place != layers.end()) {
+        if (isOfLayer(member) && place != layers.end()) {
             member.layer = static_cast<std::size_t>(place - layers.begin());
             part.unknown.push_back(std::move(member));
         }

@@ -13,10 +13,10 @@
 
 namespace fumage::ui {
 
-/// Keeps a copy of unsaved work on disk, a moment after each change, also while one comes after another, and takes it away once the work is saved or given
-/// up: what is there when a program starts, and belongs to no running one, is what a crash has left. The copies are for
-/// the user's eyes alone. They are written on a thread of their own: until a disk has them for certain takes longer
-/// than a hand that drags may wait.
+/// Keeps a copy of unsaved work on disk, a moment after each change, also while one comes after another, and takes it
+/// away once the work is saved or given up: what is there when a program starts, and belongs to no running one, is what
+/// a crash has left. The copies are for the user's eyes alone. They are written on a thread of their own: until a disk
+/// has them for certain takes longer than a hand that drags may wait.
 class Recovery : public QObject {
     Q_OBJECT
 

@@ -30,8 +30,8 @@ public:
 
     /// Soon these are on the disk, and no others; none: there is no file.
     void keep(ExportJobs jobs);
-    /// Returns when they are, and the files are gone in which some of them were left; while they cannot be written those
-    /// files stay, and belong to this program.
+    /// Returns when they are, and the files are gone in which some of them were left; while they cannot be written
+    /// those files stay, and belong to this program.
     void takeOver(const ExportJobs& jobs, std::vector<OwnFile> left);
 
     /// What programs that are gone have left.

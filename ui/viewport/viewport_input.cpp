@@ -183,9 +183,8 @@ void ViewportInput::drag(WayKey key, const QMouseEvent& event)
 {
     const Parameter& position = knownParameter("emitter.position");
     const std::size_t layer = m_document.layer();
-    const Track* before = layer < m_drag->scene.layers.size()
-        ? m_drag->scene.tracksOf(position, layer).find(position)
-        : nullptr;
+    const Track* before =
+        layer < m_drag->scene.layers.size() ? m_drag->scene.tracksOf(position, layer).find(position) : nullptr;
     const KeyFrame* gripped = before != nullptr ? keyAt(*before, key.seconds) : nullptr;
     if (gripped == nullptr) {
         return; // another layer is edited by now
