@@ -135,6 +135,18 @@ private slots:
         QVERIFY(shown.presets.isEmpty() && shown.files.isEmpty() && shown.openings.isEmpty());
     }
 
+    void returnTakesTheSceneThatHasTheKeyboard()
+    {
+        Shown shown;
+        const QSignalSpy defaults(&shown.dialog, &StartDialog::defaultRequested);
+        auto& card = shown.part<SceneCard>("startCard");
+        QTRY_VERIFY(card.isEnabled());
+        card.setFocus();
+        QTest::keyClick(&card, Qt::Key_Return);
+        QCOMPARE(shown.presets.size(), 1);
+        QVERIFY(defaults.isEmpty());
+    }
+
     void itComesAgainUnlessItIsToldNotTo()
     {
         const Shown shown;

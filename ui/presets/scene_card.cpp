@@ -3,6 +3,7 @@
 #include "ui/document/text.h"
 
 #include <QFontInfo>
+#include <QKeyEvent>
 #include <QPainter>
 
 namespace fumage::ui {
@@ -78,6 +79,16 @@ void SceneCard::hideEvent(QHideEvent* event)
 {
     QAbstractButton::hideEvent(event);
     m_player.stop();
+}
+
+/// Return is for what has the keyboard, and not for the button that a dialog has for all else.
+void SceneCard::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        click();
+    } else {
+        QAbstractButton::keyPressEvent(event);
+    }
 }
 
 void SceneCard::paintEvent(QPaintEvent* /*event*/)
