@@ -300,6 +300,22 @@ private slots:
         QTRY_VERIFY(m_window->findChild<Tour*>() == nullptr);
     }
 
+    void aChoiceThatIsGoneFromItsMenuIsChosenInVain()
+    {
+        Settings& settings = m_session->settings();
+        const QString path = u"/nowhere/fire & smoke.json"_q;
+        settings.addRecentFile(path);
+        CommandSearch search(m_window->actions(), m_window);
+        childOf<QLineEdit>(search, u"commandSearch.text"_q)->setText(u"smoke.json"_q);
+        auto* list = childOf<QListWidget>(search, u"commandSearch.list"_q);
+        const QList<QListWidgetItem*> found = list->findItems(u"fire & smoke.json"_q, Qt::MatchContains);
+        QCOMPARE(found.size(), 1);
+        list->setCurrentItem(found[0]);
+        settings.removeRecentFile(path); // as another window does that finds no such file
+        emit list->itemClicked(found[0]);
+        QCOMPARE(search.result(), static_cast<int>(QDialog::Accepted));
+    }
+
     void preferencesAreFoundByTheWordsThatPeopleUse()
     {
         for (const QString& word :

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QPointer>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -19,6 +20,17 @@ namespace fumage::ui {
 namespace {
 
 constexpr int kPlaceRole = Qt::UserRole; ///< among all commands, in the order in which they were added
+
+/// A text of a menu as it is read there: the sign before a letter names a key, two are the sign itself.
+QString asRead(const QString& text)
+{
+    QString read;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        i += text[i] == QLatin1Char('&') && i + 1 < text.size() ? 1 : 0;
+        read += text[i];
+    }
+    return read;
+}
 
 } // namespace
 
@@ -80,9 +92,14 @@ void CommandSearch::addCommands()
         const SearchTexts texts{plainText(spec.text), toQString(spec.words), plainText(spec.menu), {}};
         if (spec.kind == ActionKind::Submenu) {
             for (QAction* choice : m_actions.submenu(spec.id).actions()) {
-                const QString name = choice->text().remove(QLatin1Char('&'));
+                const QString name = asRead(choice->text());
+                // It goes where the menu is filled anew, as that of recent files is when another window saves.
                 add(fullName(spec) + QStringLiteral(": ") + name, {name, texts.synonyms, texts.name, texts.group},
-                    [choice] { choice->trigger(); });
+                    [choice = QPointer<QAction>(choice)] {
+                        if (choice) {
+                            choice->trigger();
+                        }
+                    });
             }
             continue;
         }
