@@ -8,6 +8,7 @@
 #include "ui/panels/number_slider.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/variations_panel.h"
+#include "ui/timeline/emission_strip.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
@@ -117,6 +118,29 @@ private slots:
         QVERIFY(document.scene() == before);
         trigger("edit.undo");
         QVERIFY(document.track(knownParameter("glow.emission")) != nullptr);
+    }
+
+    /// A strip of the emission chooses its layer, and takes no focus for that.
+    void whatIsTypedIsOfTheLayerThatItWasTypedFor()
+    {
+        Document& document = m_window->document();
+        Scene scene = document.scene();
+        scene.layers.push_back(scene.layers[0]);
+        scene.layers[1].name = "other";
+        ++scene.layers[1].emitter.seed;
+        document.replaceScene(scene, 0, u"two"_q);
+        auto* strip = childOf<EmissionStrip>(*m_window, u"emissionStrip"_q);
+        QTRY_VERIFY(strip->isVisible());
+        auto* field = childOf<NumberField>(*m_window, u"emitter.speed.field"_q);
+        const float before = scene.layers[1].emitter.speed;
+        QTest::mouseClick(field, Qt::LeftButton);
+        QTRY_VERIFY(field->hasFocus());
+        QTest::keyClicks(field, u"3.5"_q);
+        QTest::mouseClick(strip, Qt::LeftButton, {}, {strip->width() / 2, strip->height() * 3 / 4});
+        QCOMPARE(document.layer(), std::size_t{1});
+        field->clearFocus();
+        QCOMPARE(document.scene().layers[0].emitter.speed, 3.5F);
+        QCOMPARE(document.scene().layers[1].emitter.speed, before);
     }
 
     // --- presets and variations ---

@@ -2,6 +2,7 @@
 
 #include "ui/document/layer_edits.h"
 #include "ui/timeline/timeline_ruler.h"
+#include "ui/widgets/field_keys.h"
 #include "ui/widgets/plain_text.h"
 
 #include "core/simulation/schedule.h"
@@ -112,7 +113,9 @@ void EmissionStrip::mousePressEvent(QMouseEvent* event)
 {
     const Strip* strip = stripAt(event->position().y());
     if (event->button() == Qt::LeftButton && strip != nullptr) {
-        m_document.selectLayer(strip->layer);
+        const std::size_t layer = strip->layer; // the strips may be others in a moment
+        leaveField(*this); // what is typed there is of the layer that was edited until now
+        m_document.selectLayer(layer);
     }
 }
 
