@@ -211,6 +211,27 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), steps + 1);
     }
 
+    void escapeInABoxOfTheLanesSelectsWhatWasSelected()
+    {
+        setTracks({trackOf(kRate, {{0.5, 0.0F}, {1.0, 1.0F}, {1.5, 0.0F}})});
+        KeyLanes& lanes = m_bar->lanes();
+        const QPoint first = lanes.placeOf({&kRate, 0.5}).toPoint();
+        QTest::mouseClick(&lanes, Qt::LeftButton, {}, first);
+        const std::vector<KeyPlace> before = lanes.selected();
+        QCOMPARE(before.size(), std::size_t{1});
+        const QPoint from = lanes.placeOf({&kRate, 1.0}).toPoint() - QPoint(12, 6);
+        const QPoint to = lanes.placeOf({&kRate, 1.5}).toPoint() + QPoint(12, 6);
+        QTest::mousePress(&lanes, Qt::LeftButton, {}, from);
+        QMouseEvent move(QEvent::MouseMove, to, lanes.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&lanes, &move);
+        QCOMPARE(lanes.selected().size(), std::size_t{2});
+        DragCancel cancel;
+        QApplication::sendEvent(&lanes, &cancel);
+        QVERIFY(cancel.isAccepted());
+        QTest::mouseRelease(&lanes, Qt::LeftButton, {}, to);
+        QVERIFY(lanes.selected() == before);
+    }
+
     void aLockedLayerKeepsItsKeys()
     {
         setTracks({trackOf(kRate, {{0.0, 0.0F}, {1.0, 1.0F}})});

@@ -141,6 +141,7 @@ void KeyLanes::mousePressEvent(QMouseEvent* event)
         m_dragged = m_selection.keys();
     } else {
         m_drag = Drag::Box;
+        m_dragged = m_selection.keys(); // that Escape chooses again
         if (!event->modifiers().testFlag(Qt::ShiftModifier)) {
             m_selection.select({});
         }
@@ -200,9 +201,13 @@ void KeyLanes::mouseDoubleClickEvent(QMouseEvent* event)
 
 bool KeyLanes::event(QEvent* event)
 {
-    if (event->type() == DragCancel::type() && m_drag == Drag::Keys) {
-        replaceTracks(m_document, m_base, {}, m_gesture);
+    if (event->type() == DragCancel::type() && m_drag != Drag::None) {
+        if (m_drag == Drag::Keys) {
+            replaceTracks(m_document, m_base, {}, m_gesture);
+        }
+        m_drag = Drag::None; // nor is the release a click
         m_selection.select(m_dragged);
+        update();
         event->accept();
         return true;
     }

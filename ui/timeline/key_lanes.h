@@ -73,7 +73,7 @@ private:
     bool m_hasMoved = false;
     Gesture m_gesture;
     std::vector<Track> m_base; ///< before the gesture
-    std::vector<KeyPlace> m_dragged; ///< in it
+    std::vector<KeyPlace> m_dragged; ///< in it; of a box: those that were selected before
 };
 
 } // namespace fumage::ui
