@@ -295,6 +295,21 @@ private slots:
         window->document().load(Preset(), {});
     }
 
+    void answersMakeNoLettersOfNames()
+    {
+        QString shown;
+        QTimer::singleShot(0, qApp, [&shown] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            QVERIFY(box != nullptr);
+            shown = box->buttons().constFirst()->text();
+            box->buttons().constFirst()->click();
+        });
+        const ChoiceQuestion question{
+            .name = u"box"_q, .title = u"Export"_q, .text = u"It exists."_q, .answers = {u"Save as a&b-2.png"_q}};
+        QCOMPARE(askInBox(nullptr, question), 0);
+        QCOMPARE(shown, u"Save as a&&b-2.png"_q);
+    }
+
     void titlesHoldNothingThatSteers()
     {
         Session session;

@@ -1,6 +1,7 @@
 #include "ui/widgets/choice_question.h"
 
 #include "ui/widgets/message_box.h"
+#include "ui/widgets/plain_text.h"
 
 #include <QPushButton>
 
@@ -12,7 +13,8 @@ int askInBox(QWidget* parent, const ChoiceQuestion& question)
     QList<QAbstractButton*> buttons;
     for (const QString& answer : question.answers) {
         // All of one role: else the desktop would put them into an order of its own.
-        buttons += box.addButton(answer, MessageBox::ActionRole);
+        // An answer may name a file: an & in it is none of a key.
+        buttons += box.addButton(plainMenuText(answer), MessageBox::ActionRole);
         // The theme's least width would count as enough, and the box is as narrow as can be.
         buttons.constLast()->ensurePolished();
         buttons.constLast()->setMinimumWidth(buttons.constLast()->sizeHint().width());
