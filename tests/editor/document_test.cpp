@@ -3,6 +3,7 @@
 #include "tests/parameter_rows.h"
 
 #include "ui/document/document.h"
+#include "ui/document/layer_clipboard.h"
 #include "ui/document/layer_edits.h"
 
 #include "core/effect/known_parameter.h"
@@ -294,6 +295,26 @@ private slots:
         QCOMPARE(owner(), std::string("other"));
         document.undoStack()->setIndex(0);
         QCOMPARE(owner(), std::string("b"));
+    }
+
+    void pastedParametersHaveTheKeyFramesThatTheyHadThere()
+    {
+        const Parameter& emission = knownParameter("glow.emission");
+        Preset preset;
+        preset.scene.layers.resize(2);
+        preset.scene.layers[0].tracks.set({&emission, {{0.0, 1.0F}, {1.0, 2.0F}}});
+        preset.scene.layers[1].tracks.set({&knownParameter("motion.gravity"), {{0.0, 1.0F}, {1.0, 2.0F}}});
+        preset.scene.layers[1].tracks.set({&knownParameter("look.size"), {{0.0, 0.1F}, {1.0, 0.2F}}});
+        Document document;
+        document.load(preset, {});
+        pasteGroups(document, {1}, preset.scene.layers[0], {"glow", "motion"}, u"a"_q);
+        const Tracks& tracks = document.scene().layers[1].tracks;
+        QVERIFY(tracks.find(emission) != nullptr);
+        QVERIFY(*tracks.find(emission) == *preset.scene.layers[0].tracks.find(emission));
+        QVERIFY(tracks.find(knownParameter("motion.gravity")) == nullptr); // it would hide what was pasted
+        QVERIFY(tracks.find(knownParameter("look.size")) != nullptr); // is of another group
+        document.undoStack()->undo();
+        QVERIFY(document.scene() == preset.scene);
     }
 
     void everyParameterSurvivesEditUndoAndRedo_data() { addParameterRows(); }

@@ -106,6 +106,9 @@ void pasteGroups(Document& document, const LayerPlaces& layers, const Layer& fro
             const bool isMeant = std::find(groups.begin(), groups.end(), parameter.group()) != groups.end();
             if (parameter.scope == Scope::Layer && isMeant && &parameter != &knownParameter("emitter.seed")) {
                 parameter.set(effect, parameter.get(values));
+                // Key frames would go on to hide the value, or stay behind.
+                const Track* track = from.tracks.find(parameter);
+                scene.layers[layer].tracks.set(track != nullptr ? *track : Track{&parameter, {}});
             }
         }
         scene.assign(layer, effect);

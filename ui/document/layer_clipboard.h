@@ -30,8 +30,8 @@ void addLayers(QMimeData& dragged, const Preset& preset);
 
 /// The groups of parameters that each layer has of its own, in the order of the panel.
 [[nodiscard]] std::vector<std::string_view> layerGroups();
-/// Gives layers the parameters of some groups that another layer has, as one step. Each keeps the seed that it has, or
-/// they would move alike; those that are locked stay as they are.
+/// Gives layers the parameters of some groups that another layer has, with their key frames, as one step. Each keeps
+/// the seed that it has, or they would move alike; those that are locked stay as they are.
 /// @param groups of layerGroups()
 /// @param name   of the other layer
 void pasteGroups(Document& document, const LayerPlaces& layers, const Layer& from,
