@@ -2,6 +2,7 @@
 
 #include "tests/pictures.h"
 
+#include "ui/document/key_edits.h"
 #include "ui/panels/angle_dial.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
@@ -14,6 +15,7 @@
 #include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
 
+#include <QColorDialog>
 #include <QDragEnterEvent>
 #include <QMenu>
 #include <QMessageBox>
@@ -54,6 +56,44 @@ private slots:
             QVERIFY(parameter.get(m_document->effect()) == Value(preset.gradient));
         }
         QCOMPARE(m_document->undoStack()->count(), steps + static_cast<int>(gradientPresets().size()));
+    }
+
+    void aColourThatIsGivenUpLeavesNoKeyFrame()
+    {
+        const Parameter& colour = knownParameter("light.colour");
+        auto* swatch = childOf<QToolButton>(*m_panel, u"light.colour.swatch"_q);
+        const auto open = [&] {
+            swatch->click();
+            const QList<QColorDialog*> dialogs = m_panel->findChildren<QColorDialog*>(u"colourDialog"_q);
+            return dialogs.constLast(); // one that was closed may be there still
+        };
+        m_document->setAutoKey(true);
+        const Scene before = m_document->scene();
+        QColorDialog* dialog = open();
+        dialog->setCurrentColor(Qt::red);
+        QVERIFY(m_document->track(colour) != nullptr);
+        dialog->reject();
+        QVERIFY(m_document->scene() == before);
+        QVERIFY(!m_document->undoStack()->canUndo());
+        // One that is only looked at while the time goes on leaves none either.
+        replaceTracks(
+            *m_document, {{&colour, {{0.0, glm::vec3(0.1F)}, {2.0, glm::vec3(0.9F)}}}}, QStringLiteral("Set"));
+        const Scene keyed = m_document->scene();
+        m_document->setSeconds(0.5);
+        dialog = open();
+        m_document->setSeconds(1.0);
+        dialog->reject();
+        QVERIFY(m_document->scene() == keyed);
+    }
+
+    void aColourThatIsNotTouchedStaysAsItIs()
+    {
+        const Parameter& colour = knownParameter("light.colour");
+        m_document->edit(colour, glm::vec3(1.5F, 0.123F, 0.456F)); // brighter than a screen
+        const Value before = colour.get(m_document->effect());
+        childOf<QToolButton>(*m_panel, u"light.colour.swatch"_q)->click();
+        childOf<QColorDialog>(*m_panel, u"colourDialog"_q)->accept();
+        QVERIFY(colour.get(m_document->effect()) == before);
     }
 
     void turnedHuesKeepStrengthAndComeBack()

@@ -2,14 +2,17 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/panels/number_field.h"
+#include "ui/widgets/gesture.h"
 
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include <QColorDialog>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
@@ -18,6 +21,16 @@ namespace fumage::ui {
 
 /// As many digits as three fields beside one another have room for; a channel of a screen has 256 steps.
 static constexpr double kShown = 1e3;
+
+/// Tells what is around an editor that its gesture is taken back.
+static void sendDragCancel(QWidget& editor)
+{
+    DragCancel cancel;
+    for (QWidget* to = &editor; to != nullptr && !cancel.isAccepted();
+         to = to->isWindow() ? nullptr : to->parentWidget()) {
+        QCoreApplication::sendEvent(to, &cancel);
+    }
+}
 
 QColor screenColour(const glm::vec3& linear)
 {
@@ -39,11 +52,21 @@ QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     dialog->setOption(QColorDialog::DontUseNativeDialog);
-    QObject::connect(dialog, &QColorDialog::currentColorChanged, parent,
-        [changed](const QColor& colour) { changed(linearColour(colour), false); });
-    QObject::connect(dialog, &QColorDialog::colorSelected, parent,
-        [changed](const QColor& colour) { changed(linearColour(colour), true); });
-    QObject::connect(dialog, &QColorDialog::rejected, parent, [changed, before] { changed(before, true); });
+    // What nobody has touched stays as it is, also where a screen does not show it as such.
+    const auto isTouched = std::make_shared<bool>(false);
+    QObject::connect(dialog, &QColorDialog::currentColorChanged, parent, [changed, isTouched](const QColor& colour) {
+        *isTouched = true;
+        changed(linearColour(colour), false);
+    });
+    QObject::connect(dialog, &QColorDialog::colorSelected, parent, [changed, before, isTouched](const QColor& colour) {
+        changed(*isTouched ? linearColour(colour) : before, true);
+    });
+    QObject::connect(dialog, &QColorDialog::rejected, parent, [parent, changed, before, isTouched] {
+        if (*isTouched) {
+            sendDragCancel(*parent); // a key frame of the colour before is one more than there was
+            changed(before, true);
+        }
+    });
     dialog->open();
     return *dialog;
 }

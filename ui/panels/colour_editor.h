@@ -17,7 +17,9 @@ namespace fumage::ui {
 [[nodiscard]] glm::vec3 linearColour(const QColor& screen);
 
 /// Lets a person choose a colour; changes are seen at once.
-/// @param changed called with each colour, and at the end with the one that was accepted, or with the one before
+/// @param parent  hears a DragCancel, and what is around it, before what was changed is taken back
+/// @param changed called with each colour, and at the end with the one that was accepted, or with the one before, where
+///                there was another meanwhile
 /// @return the dialog, which deletes itself
 QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec3& before,
     const std::function<void(const glm::vec3&, bool finished)>& changed);
