@@ -76,8 +76,8 @@ private slots:
         QVERIFY(m_document->scene() == before);
         QVERIFY(!m_document->undoStack()->canUndo());
         // One that is only looked at while the time goes on leaves none either.
-        replaceTracks(
-            *m_document, {{&colour, {{0.0, glm::vec3(0.1F)}, {2.0, glm::vec3(0.9F)}}}}, QStringLiteral("Set"));
+        const Track track{&colour, {{0.0, glm::vec3(0.1F)}, {2.0, glm::vec3(0.9F)}}};
+        replaceTracks(*m_document, {track}, QStringLiteral("Set"));
         const Scene keyed = m_document->scene();
         m_document->setSeconds(0.5);
         dialog = open();
