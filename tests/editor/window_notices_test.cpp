@@ -88,6 +88,22 @@ private slots:
         QCOMPARE(m_window->document().effect().motion.gravity, 2.0F);
     }
 
+    void aReloadThatFailsIsOfferedAgain()
+    {
+        openMine();
+        QFile half(mine());
+        QVERIFY(half.open(QIODevice::WriteOnly) && half.write("{ half a fi") > 0);
+        half.close();
+        QTRY_VERIFY(m_window->messages().says(u"notice.onDisk"_q));
+        answerNext("errorBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Ok); });
+        childOf<QPushButton>(*m_window, u"notice.onDisk.0"_q)->click();
+        QVERIFY(m_window->messages().says(u"notice.onDisk"_q));
+        writeMine(7.0F); // now it is whole
+        childOf<QPushButton>(*m_window, u"notice.onDisk.0"_q)->click();
+        QCOMPARE(m_window->document().effect().motion.gravity, 7.0F);
+        QVERIFY(!m_window->messages().says(u"notice.onDisk"_q));
+    }
+
     void aVersionThatIsKeptIsSavedWithoutAnotherQuestion()
     {
         openMine();

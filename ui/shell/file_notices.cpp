@@ -39,7 +39,13 @@ void FileNotices::follow(DiskState state)
             tr("“%1” has been changed by another program. Reload it, which can be undone, or keep this version: it "
                "replaces the other when you save it.")
                 .arg(file),
-            {{tr("Reload"), [this] { m_files.reload(); }},
+            {{tr("Reload"),
+                 [this] {
+                     m_files.reload();
+                     if (const DiskState now = m_watch.look(); now != DiskState::Same) {
+                         follow(now); // it could not be read: others may be about to write it
+                     }
+                 }},
                 {tr("Keep this version"), [this] { m_document.keepOverDisk(); }}});
     } else if (state == DiskState::Gone) {
         m_bar.say(kOnDisk,
