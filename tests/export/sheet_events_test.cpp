@@ -13,6 +13,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest/QtTest>
 
@@ -258,6 +259,40 @@ private slots:
                 made.count(QStringLiteral("[ext_resource ")) + made.count(QStringLiteral("[sub_resource "));
             QVERIFY(made.startsWith(QStringLiteral("[gd_scene load_steps=%1 ").arg(resources + 1)));
         }
+    }
+
+    void godotHearsOfAllThatComeAtOneTime_data()
+    {
+        QTest::addColumn<int>("engine");
+        QTest::newRow("4") << static_cast<int>(Engine::Godot);
+        QTest::newRow("3") << static_cast<int>(Engine::Godot3);
+    }
+    void godotHearsOfAllThatComeAtOneTime()
+    {
+        QFETCH(int, engine);
+        Scene scene = marked({});
+        FlipbookOptions options = sheet({0, 15, 1}, 4, 2);
+        EngineSheet drawn{scene, 4, 2, cellsPerSecond(scene, options)};
+        drawn.pictures.push_back({Pass::Colour, "a.png"});
+        drawn.events = {{"a", 0.1, 1}, {"b", 0.1, 1}, {"c", 0.100004, 1}, {"d", 0.2, 3}, {"e", 0.2, 3}, {"f", 50.0, 7},
+            {"g", 50.0004, 7}};
+        const QString text = QString::fromStdString(makeEngineFiles(static_cast<Engine>(engine), drawn).front());
+        const QRegularExpression times(QStringLiteral("\ntracks/(\\d+)/keys = \\{\n\"times\": \\w+\\(([^)]*)\\)"));
+        int tracks = 0;
+        int keys = 0;
+        for (auto found = times.globalMatch(text); found.hasNext(); ++tracks) {
+            const QRegularExpressionMatch track = found.next();
+            QCOMPARE(track.captured(1).toInt(), tracks);
+            double before = -1.0;
+            for (const QString& time : track.captured(2).split(u',')) {
+                const double now = time.trimmed().toDouble();
+                QVERIFY2(now - before > 1e-5 * std::max(1.0, now), qPrintable(track.captured(2))); // is_equal_approx()
+                before = now;
+                ++keys;
+            }
+        }
+        QCOMPARE(keys, 7);
+        QCOMPARE(tracks, 3);
     }
 
     void thoseThatNobodyHearsOfAreNamedBefore()

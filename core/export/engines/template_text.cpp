@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -137,19 +138,54 @@ void addNodes(const EngineSheet& sheet, const std::string& stem, TemplateFacts& 
     facts.list("nodes", std::move(list));
 }
 
+TemplateFacts eventFacts(Language language, const SheetEvent& event)
+{
+    TemplateFacts facts(language);
+    facts.text("name", event.name);
+    facts.number("seconds", event.seconds);
+    facts.number("cell", event.cell);
+    return facts;
+}
+
+/// Events as tracks of an animation of Godot take them, in order: of keys that are as good as at one time a track keeps
+/// the last alone. Source: Animation::_insert() and Math::is_equal_approx(), which is 1e-5 or that share of the time.
+std::vector<std::vector<SheetEvent>> eventTracks(const std::vector<SheetEvent>& events)
+{
+    constexpr double kApart = 4e-5; // what is written has the precision of floats
+    std::vector<std::vector<SheetEvent>> tracks;
+    for (const SheetEvent& event : events) {
+        const double apart = kApart * std::max(1.0, event.seconds);
+        const auto takes = [&](const std::vector<SheetEvent>& track) {
+            return track.back().seconds + apart <= event.seconds;
+        };
+        const auto track = std::ranges::find_if(tracks, takes);
+        if (track == tracks.end()) {
+            tracks.push_back({event});
+        } else {
+            track->push_back(event);
+        }
+    }
+    return tracks;
+}
+
 /// Markers, as they are passed.
 void addEvents(const EngineSheet& sheet, TemplateFacts& facts)
 {
-    std::vector<TemplateFacts> list;
-    for (const SheetEvent& event : sheet.events) {
-        TemplateFacts each(facts.language());
-        each.text("name", event.name);
-        each.number("seconds", event.seconds);
-        each.number("cell", event.cell);
-        list.push_back(std::move(each));
+    const auto listOf = [&](const std::vector<SheetEvent>& events) {
+        std::vector<TemplateFacts> list;
+        std::ranges::transform(events, std::back_inserter(list),
+            [&](const SheetEvent& event) { return eventFacts(facts.language(), event); });
+        return list;
+    };
+    std::vector<TemplateFacts> tracks;
+    for (const std::vector<SheetEvent>& track : eventTracks(sheet.events)) {
+        tracks.emplace_back(facts.language());
+        tracks.back().number("track", static_cast<int>(tracks.size()) - 1);
+        tracks.back().list("events", listOf(track));
     }
-    facts.flag("has_events", !list.empty());
-    facts.list("events", std::move(list));
+    facts.flag("has_events", !sheet.events.empty());
+    facts.list("events", listOf(sheet.events));
+    facts.list("event_tracks", std::move(tracks));
 }
 
 /// How many resources a scene of Godot has, itself among them.
