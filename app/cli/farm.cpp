@@ -10,6 +10,8 @@
 #include "core/export/farm/chunk.h"
 #include "core/export/farm/farm.h"
 #include "core/export/output_name.h"
+#include "core/export/pass_frames.h"
+#include "core/export/sheets/flipbook_check.h"
 #include "core/preset/preset_file.h"
 
 #include <algorithm>
@@ -60,6 +62,23 @@ std::vector<std::string> joinWordsOf(const FarmOptions& options, const FarmJob& 
     return words;
 }
 
+/// Whether frames can be joined to what is asked for when all machines are done.
+Status checkJoin(const FarmOptions& options, const Scene& scene, const ExportPlan& frames)
+{
+    if (!options.then.empty() && frames.format != ImageFormat::ExrHalf && frames.format != ImageFormat::ExrFloat) {
+        return Error{ErrorCode::OutOfRange, makeMessage("frames that are to be joined are EXR"),
+            "--then " + options.then, makeMessage("Write --format exr")};
+    }
+    ExportPlan sheet;
+    sheet.kind = ExportKind::Flipbook;
+    sheet.output = "sheet.png";
+    sheet.frames = frames.frames;
+    if (Status status = parseGrid(options.grid, sheet.flipbook.columns, sheet.flipbook.rows); !status) {
+        return status;
+    }
+    return options.then == "flipbook" ? checkFlipbook(scene, flipbookOf(sheet)) : Status(Done{});
+}
+
 /// What is asked for, checked as far as it can be before any machine has begun.
 Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
 {
@@ -81,19 +100,12 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
     if (!isUtf8(std::filesystem::absolute(plan.output).string())) {
         return nameNotUtf8(plan.output);
     }
-    if (!options.then.empty() && plan.format != ImageFormat::ExrHalf && plan.format != ImageFormat::ExrFloat) {
-        return Error{ErrorCode::OutOfRange, makeMessage("frames that are to be joined are EXR"),
-            "--then " + options.then, makeMessage("Write --format exr")};
-    }
-    int columns = 0;
-    int rows = 0;
-    if (Status status = parseGrid(options.grid, columns, rows); !status) {
+    const Scene& scene = job.value().scene;
+    Status status =
+        plan.passes == PassSet{Pass::Colour} ? Status(Done{}) : checkTargets(scene, plan.passes, plan.format);
+    status = status ? checkJoin(options, scene, plan) : status;
+    if (!status) {
         return status.error();
-    }
-    if (options.then == "flipbook" && plan.frames.count() < columns * rows) {
-        return Error{ErrorCode::OutOfRange,
-            makeMessage("%1 frames do not fill %2 cells", plan.frames.count(), columns * rows), {},
-            makeMessage("Choose more frames or fewer columns and rows")};
     }
     return job;
 }

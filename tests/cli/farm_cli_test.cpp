@@ -199,6 +199,9 @@ private slots:
         row("frames", {"-f", "9-2"}, "9-2");
         row("chunk", {"--chunk", "0"}, "chunk");
         row("pass", {"--passes", "sixway"}, "six-way");
+        row("passes that PNG does not hold", {"--passes", "depth", "-o", "a_##.png"}, "Choose EXR");
+        row("masks that PNG does not hold", {"--passes", "layer-masks", "-o", "a_##.png"}, "Choose EXR");
+        row("a sheet that cannot be joined", {"--then", "flipbook", "-f", "0-63", "--size", "8192"}, "fewer cells");
     }
     void farmsRefuseWhatCannotWork() { isRefusedAsTheRowSays(); }
 
