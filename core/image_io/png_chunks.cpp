@@ -98,4 +98,24 @@ Result<PngTexts> textsOfPng(const PartReader& file)
     return texts;
 }
 
+std::vector<std::byte> withoutNotes(std::span<const std::byte> png)
+{
+    const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
+    const PartReader file = partsOf(bytes);
+    std::uint64_t at = bytes.starts_with(kPngSignature) ? kPngSignature.size() : png.size();
+    std::vector<std::byte> out(png.begin(), png.begin() + static_cast<std::ptrdiff_t>(at));
+    while (at < png.size()) {
+        const Result<Chunk> chunk = chunkAt(file, at);
+        const bool isWhole = chunk && !chunk.value().kind.empty() && chunk.value().end() <= png.size();
+        const std::uint64_t end = isWhole ? chunk.value().end() : png.size();
+        if (!isWhole || !chunk.value().isOurs()) {
+            const std::span<const std::byte> kept =
+                png.subspan(static_cast<std::size_t>(at), static_cast<std::size_t>(end - at));
+            out.insert(out.end(), kept.begin(), kept.end());
+        }
+        at = end;
+    }
+    return out;
+}
+
 } // namespace fumage

@@ -3,7 +3,10 @@
 #include "core/base/result.h"
 #include "core/image_io/image_metadata.h"
 
+#include <cstddef>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace fumage {
 
@@ -18,5 +21,9 @@ struct PngTexts {
 /// @error Syntax: the file ends before its pixels; that of the reader
 /// O(chunks up to the pixels, or up to kMaxPngChunks of them), each a part of a few bytes.
 [[nodiscard]] Result<PngTexts> textsOfPng(const PartReader& file);
+
+/// A PNG as it is where it carries no preset: without our texts of that. What is no PNG, or broken, stays from there
+/// on. O(bytes).
+[[nodiscard]] std::vector<std::byte> withoutNotes(std::span<const std::byte> png);
 
 } // namespace fumage

@@ -72,6 +72,22 @@ private slots:
         QCOMPARE(countOf(renderAgain(set, {0, 99, 1}).value(), FileState::Different), std::size_t{1});
     }
 
+    void aPageIsMadeAgainWhateverItsPicturesCarry()
+    {
+        for (const LayerOutput layers : {LayerOutput::Together, LayerOutput::Alone, LayerOutput::Stacked}) {
+            const QTemporaryDir folder;
+            ExportPlan plan = fullPlan(pathOf(folder));
+            plan.passes = {Pass::Colour};
+            plan.flipbook.engine = Engine::Web;
+            plan.flipbook.packs.clear();
+            plan.layers = layers;
+            plan.project->name = "Carried by the pictures, and by them alone";
+            const std::vector<CheckedFile> again = renderAgain(written(plan), {0, 99, 1}).value();
+            QCOMPARE(again.size(), std::size_t{3});
+            QCOMPARE(countOf(again, FileState::Same), again.size());
+        }
+    }
+
     void whateverChangesTheFilesIsInTheManifest()
     {
         const QTemporaryDir folder;

@@ -7,6 +7,7 @@
 #include "core/export/plan.h"
 #include "core/export/sheets/sheet_note.h"
 #include "core/image_io/image_metadata.h"
+#include "core/image_io/png_chunks.h"
 #include "core/preset/json_tree.h"
 #include "core/preset/library.h"
 #include "core/preset/preset_file.h"
@@ -190,6 +191,18 @@ private slots:
             QCOMPARE(reading.frame.value(), 5);
             QVERIFY(!(reading.preset.scene.camera == ownPreset().scene.camera)); // that which took the picture
         }
+    }
+
+    void notesAreTakenOutOfPngsAlone()
+    {
+        const auto bare = [](const std::string& file) {
+            const std::vector<std::byte> left = withoutNotes(std::as_bytes(std::span(file)));
+            return std::string(reinterpret_cast<const char*>(left.data()), left.size());
+        };
+        const std::string with = pictureWith({0, formatPreset(ownPreset()), 3, "{}"}, ImageFormat::Png8);
+        QVERIFY(bare(with) == pictureWith({}, ImageFormat::Png8));
+        const std::string cut = with.substr(0, with.find("fumage:preset") + 20);
+        QVERIFY(bare(cut) == cut && bare("") == "" && bare("no picture") == "no picture");
     }
 
     void nothingIsCarriedWhereThatIsNotWanted()

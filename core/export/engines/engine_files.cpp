@@ -3,6 +3,7 @@
 #include "core/system/path.h"
 #include "core/export/engines/texture_packer.h"
 #include "core/export/engines/template_text.h"
+#include "core/image_io/png_chunks.h"
 
 #include <algorithm>
 
@@ -26,6 +27,18 @@ bool takes(Engine engine, ImageFormat format)
 std::filesystem::path importOf(const std::filesystem::path& picture)
 {
     return picture.parent_path() / pathFrom(picture.filename().string() + ".import");
+}
+
+/// The page with its pictures. The preset that these may carry stays in their files: a page shows pictures, and is made
+/// again from its manifest to the byte.
+std::string webPage(EngineSheet sheet)
+{
+    std::vector<std::vector<std::byte>> shown;
+    for (EnginePicture& picture : sheet.pictures) {
+        shown.push_back(withoutNotes(picture.bytes));
+        picture.bytes = shown.back(); // stays where it is when the list grows
+    }
+    return sheetText("web_page", sheet);
 }
 
 } // namespace
@@ -70,7 +83,7 @@ std::vector<std::string> makeEngineFiles(Engine engine, const EngineSheet& sheet
     case Engine::Effekseer: return {sheetText("effekseer_project", sheet)};
     case Engine::Pixi: return {texturePackerText(sheet)};
     case Engine::Defold: return {sheetText("defold_tilesource", sheet)};
-    case Engine::Web: return {sheetText("web_page", sheet)};
+    case Engine::Web: return {webPage(sheet)};
     }
     return {};
 }
