@@ -3,6 +3,7 @@
 #include "app/cli/picture_options.h"
 
 #include "core/base/text.h"
+#include "core/export/jobs/jobs.h"
 
 #include <iomanip>
 #include <memory>
@@ -104,11 +105,11 @@ Result<FlipbookArguments> optimised(FlipbookArguments arguments, const NamedPres
     return arguments;
 }
 
-Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered)
+Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered, JobFiles& written)
 {
     if (!arguments.budget.empty()) {
         const Result<FlipbookArguments> chosen = optimised(arguments, unnumbered);
-        return chosen ? renderOne(chosen.value(), unnumbered) : chosen.error();
+        return chosen ? renderOne(chosen.value(), unnumbered, written) : chosen.error();
     }
     const NamedPreset named = namedForItsGrid(arguments, unnumbered);
     const Result<PictureJob> job = jobOf(arguments, named);
@@ -116,6 +117,9 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
         return job.error();
     }
     if (Status status = tellSize(job.value()); !status) {
+        return status;
+    }
+    if (Status status = keepApart(named.name, job.value(), written); !status) {
         return status;
     }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());
@@ -130,8 +134,9 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
 
 Status flipbook(const FlipbookArguments& arguments)
 {
+    JobFiles written;
     return arguments.picture.effect.forEach(
-        arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named); });
+        arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named, written); });
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 #include "app/cli/jobs.h"
 #include "app/cli/picture_options.h"
 
+#include "core/export/jobs/jobs.h"
+
 #include <memory>
 
 namespace fumage::cli {
@@ -57,7 +59,7 @@ Status makeSheetAgain(const RenderArguments& arguments, const FlipbookOptions& s
     return Done{};
 }
 
-Status renderOne(const RenderArguments& arguments, const NamedPreset& named)
+Status renderOne(const RenderArguments& arguments, const NamedPreset& named, JobFiles& written)
 {
     Result<PictureJob> job = arguments.picture.jobFor(named, ExportKind::Sequence);
     if (!job) {
@@ -68,6 +70,9 @@ Status renderOne(const RenderArguments& arguments, const NamedPreset& named)
             return status;
         }
     }
+    if (Status status = keepApart(named.name, job.value(), written); !status) {
+        return status;
+    }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());
     return done ? Status(Done{}) : done.error();
 }
@@ -77,8 +82,9 @@ Status render(const RenderArguments& arguments)
     if (!arguments.jobs.empty()) {
         return doJobs(arguments.jobs, arguments.asJson);
     }
+    JobFiles written;
     return arguments.picture.effect.forEach(
-        arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named); });
+        arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named, written); });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "tests/cli/run.h"
 
+#include "core/preset/preset_file.h"
 #include "core/system/file.h"
 
 #include <QJsonArray>
@@ -187,6 +188,21 @@ private slots:
         QVERIFY2(plain.code == 0, plain.error.constData());
         const Outcome single = runIn(*m_folder, {"check-sheet", "out/one.manifest.json"});
         QVERIFY2(single.code == 3 && single.error.contains("no sheets of layers"), single.error.constData());
+    }
+
+    void presetsLeaveTheFilesOfOneAnotherAlone()
+    {
+        const QTemporaryDir folder;
+        for (const char* name : {"/fire.json", "/fire_motion.json"}) {
+            QVERIFY(writePresetFile(folder.path().toStdString() + name, Preset()).ok());
+        }
+        const Outcome outcome = runIn(folder,
+            QStringList{
+                "flipbook", "fire.json", "fire_motion.json", "--grid", "2", "--passes", "colour,motion", "-o", "out/"}
+                + kSmall);
+        QCOMPARE(outcome.code, 3);
+        QVERIFY2(outcome.error.contains("\"fire_motion\" would write over a file of \"fire\""), outcome.error);
+        QCOMPARE(namesIn(folder, "out"), (QStringList{"fire.flipbook.json", "fire.png", "fire_motion.png"}));
     }
 
     void jobsTakeWhatThePictureShows()
