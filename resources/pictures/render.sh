@@ -10,20 +10,20 @@ for preset in "$here"/../presets/*.json; do
     name=$(basename "$preset" .json)
     frame=70
     case $name in
-    explosion) frame=32 ;;
-    dust | landing | rolling-dust) frame=45 ;;
-    blast) frame=40 ;;
+    torch) frame=10 ;;
     sand-impact) frame=22 ;;
     fire-ball) frame=24 ;;
+    explosion) frame=32 ;;
+    blast | breath) frame=40 ;;
+    landing) frame=50 ;;
+    dust) frame=55 ;;
+    rolling-dust) frame=72 ;;
+    missile) frame=84 ;;
     mushroom-cloud) frame=95 ;;
-    ceiling) frame=110 ;;
     lit-fire) frame=100 ;;
-    breath) frame=28 ;;
-    missile) frame=62 ;;
-    torch) frame=10 ;;
-    firework) frame=75 ;;
-    gusty-chimney) frame=120 ;;
-    rocket-launch) frame=100 ;;
+    gusty-chimney) frame=108 ;;
+    ceiling | chimney) frame=110 ;;
+    firework | rocket-launch) frame=120 ;;
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
 done

@@ -3952,6 +3952,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>a free key frame has two slopes, a linear or held one may have that before it, and a smooth one has none</source>
         <translation>en fri nyckelbildruta har två lutningar, en linjär eller hållen kan ha den före sig, och en mjuk har ingen</translation>
     </message>
+    <message>
+        <source>layers are born on %1 particles of others in all, at most %2 are possible</source>
+        <translation>lager föds på sammanlagt %1 partiklar hos andra, högst %2 är möjliga</translation>
+    </message>
+    <message>
+        <source>Give fewer particles to the layers that others are born on</source>
+        <translation>Ge färre partiklar åt de lager som andra föds på</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::MockStage</name>
@@ -6356,16 +6364,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Missil</translation>
     </message>
     <message>
-        <source>A missile and its trail: both emitters are carried along one way, and turn with it.</source>
-        <translation>En missil och dess spår: båda emittrarna förs längs en väg, och vrids med den.</translation>
-    </message>
-    <message>
         <source>Torch</source>
         <translation>Fackla</translation>
-    </message>
-    <message>
-        <source>A torch that is swung, seamless: both layers follow the same key frames of the position.</source>
-        <translation>En fackla som svingas, utan skarv: båda lagren följer samma nyckelbildrutor för läget.</translation>
     </message>
     <message>
         <source>Candle</source>
@@ -6380,24 +6380,12 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Torris</translation>
     </message>
     <message>
-        <source>Cold fog that is poured out: it falls, and runs out over the ground.</source>
-        <translation>Kall dimma som hälls ut: den faller och rinner ut över marken.</translation>
-    </message>
-    <message>
         <source>Firework</source>
         <translation>Fyrverkeri</translation>
     </message>
     <message>
-        <source>Shells that rise with a tail, and burst at their death into stars.</source>
-        <translation>Bomber som stiger med en svans och brister i stjärnor när de dör.</translation>
-    </message>
-    <message>
         <source>Glitter</source>
         <translation>Glitter</translation>
-    </message>
-    <message>
-        <source>Motes of light that drift apart, twinkle and go out.</source>
-        <translation>Ljuspunkter som driver isär, glimmar och slocknar.</translation>
     </message>
     <message>
         <source>Gusty chimney</source>
@@ -6420,12 +6408,32 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Trollformel</translation>
     </message>
     <message>
-        <source>The spiral of Magic, with glitter that is born on its smoke.</source>
-        <translation>Spiralen ur Magi, med glitter som föds på dess rök.</translation>
-    </message>
-    <message>
         <source>A fireball over a ring of dust, which throws out debris that trails smoke, and sparks that bounce.</source>
         <translation>Ett eldklot över en ring av damm, som kastar ut bråte som drar rök efter sig, och gnistor som studsar.</translation>
+    </message>
+    <message>
+        <source>Cold fog that is poured out: it falls, runs out over the ground and curls up at its front.</source>
+        <translation>Kall dimma som hälls ut: den faller, rinner ut över marken och rullar ihop sig vid sin front.</translation>
+    </message>
+    <message>
+        <source>Shells that rise with a tail, and burst at their death into stars of two colours that trail and glitter.</source>
+        <translation>Bomber som stiger med en svans och vid sin död brister i stjärnor av två färger som drar spår och glittrar.</translation>
+    </message>
+    <message>
+        <source>Motes of light in three colours that drift apart, twinkle as stars and go out.</source>
+        <translation>Ljuskorn i tre färger som glider isär, tindrar som stjärnor och slocknar.</translation>
+    </message>
+    <message>
+        <source>A missile and its trail: its emitters are carried along one way, and turn with it.</source>
+        <translation>En robot och dess spår: dess emittrar förs längs en väg och vrider sig med den.</translation>
+    </message>
+    <message>
+        <source>Two strands of light that wind around each other, thick with glitter: stars, motes and sparks that twinkle.</source>
+        <translation>Två ljusslingor som vindar sig runt varandra, fulla av glitter: stjärnor, korn och gnistor som tindrar.</translation>
+    </message>
+    <message>
+        <source>A torch that is swung, seamless: all layers follow the same key frames of the position.</source>
+        <translation>En fackla som svingas, sömlöst: alla lager följer samma nyckelbilder för positionen.</translation>
     </message>
 </context>
 <context>
@@ -7078,6 +7086,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>This takes the smoke away: as a flipbook, an image sequence, a video or data for an engine. Help &gt; Tour shows all of this again.</source>
         <translation>Härifrån tar du med dig röken: som flipbook, bildsekvens, video eller data för en motor. Hjälp &gt; Rundtur visar allt detta igen.</translation>
+    </message>
+    <message>
+        <source>This is the short way into a game: click your engine, and a flipbook that suits it is written, and plays on a mock ground beside what is to be done in the engine.</source>
+        <translation>Detta är den korta vägen in i ett spel: klicka på din motor, så skrivs en flipbook som passar den, och spelas upp på en låtsasmark bredvid det som ska göras i motorn.</translation>
     </message>
 </context>
 <context>

@@ -3952,6 +3952,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>a free key frame has two slopes, a linear or held one may have that before it, and a smooth one has none</source>
         <translation>自由关键帧有两个斜率，线性或保持关键帧可有其前的斜率，平滑关键帧没有</translation>
     </message>
+    <message>
+        <source>layers are born on %1 particles of others in all, at most %2 are possible</source>
+        <translation>各图层共诞生于其他图层的 %1 个粒子上，最多 %2 个</translation>
+    </message>
+    <message>
+        <source>Give fewer particles to the layers that others are born on</source>
+        <translation>减少其他图层所诞生于其上的图层的粒子数</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::MockStage</name>
@@ -6356,16 +6364,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>导弹</translation>
     </message>
     <message>
-        <source>A missile and its trail: both emitters are carried along one way, and turn with it.</source>
-        <translation>导弹及其尾迹：两个发射器沿同一路径移动并随之转向。</translation>
-    </message>
-    <message>
         <source>Torch</source>
         <translation>火炬</translation>
-    </message>
-    <message>
-        <source>A torch that is swung, seamless: both layers follow the same key frames of the position.</source>
-        <translation>挥舞的火炬，无缝循环：两个图层跟随相同的位置关键帧。</translation>
     </message>
     <message>
         <source>Candle</source>
@@ -6380,24 +6380,12 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>干冰</translation>
     </message>
     <message>
-        <source>Cold fog that is poured out: it falls, and runs out over the ground.</source>
-        <translation>倾泻而出的冷雾：落下并在地面铺开。</translation>
-    </message>
-    <message>
         <source>Firework</source>
         <translation>烟花</translation>
     </message>
     <message>
-        <source>Shells that rise with a tail, and burst at their death into stars.</source>
-        <translation>拖着尾迹升空的烟花弹，在消亡时爆成满天星火。</translation>
-    </message>
-    <message>
         <source>Glitter</source>
         <translation>闪光微粒</translation>
-    </message>
-    <message>
-        <source>Motes of light that drift apart, twinkle and go out.</source>
-        <translation>飘散开来、闪烁并熄灭的光点。</translation>
     </message>
     <message>
         <source>Gusty chimney</source>
@@ -6420,12 +6408,32 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>咒语</translation>
     </message>
     <message>
-        <source>The spiral of Magic, with glitter that is born on its smoke.</source>
-        <translation>“魔法”的螺旋，烟上生出闪光微粒。</translation>
-    </message>
-    <message>
         <source>A fireball over a ring of dust, which throws out debris that trails smoke, and sparks that bounce.</source>
         <translation>尘环之上的火球，抛出拖着烟的碎片和弹跳的火花。</translation>
+    </message>
+    <message>
+        <source>Cold fog that is poured out: it falls, runs out over the ground and curls up at its front.</source>
+        <translation>倾倒而出的冷雾：落下、在地面铺开，并在前缘卷起。</translation>
+    </message>
+    <message>
+        <source>Shells that rise with a tail, and burst at their death into stars of two colours that trail and glitter.</source>
+        <translation>带尾焰升空的焰火弹，消亡时迸发成两种颜色、拖尾闪烁的星。</translation>
+    </message>
+    <message>
+        <source>Motes of light in three colours that drift apart, twinkle as stars and go out.</source>
+        <translation>三种颜色的光点，飘散开来，如星闪烁，然后熄灭。</translation>
+    </message>
+    <message>
+        <source>A missile and its trail: its emitters are carried along one way, and turn with it.</source>
+        <translation>导弹及其尾迹：各发射器沿同一路径移动，并随之转向。</translation>
+    </message>
+    <message>
+        <source>Two strands of light that wind around each other, thick with glitter: stars, motes and sparks that twinkle.</source>
+        <translation>两股相互缠绕的光，缀满闪光：星、光点与闪烁的火花。</translation>
+    </message>
+    <message>
+        <source>A torch that is swung, seamless: all layers follow the same key frames of the position.</source>
+        <translation>挥动的火炬，无缝循环：所有图层都跟随位置的同一组关键帧。</translation>
     </message>
 </context>
 <context>
@@ -7078,6 +7086,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>This takes the smoke away: as a flipbook, an image sequence, a video or data for an engine. Help &gt; Tour shows all of this again.</source>
         <translation>从这里带走烟雾：作为翻页图集、图像序列、视频或引擎数据。帮助 &gt; 导览会再次展示这些内容。</translation>
+    </message>
+    <message>
+        <source>This is the short way into a game: click your engine, and a flipbook that suits it is written, and plays on a mock ground beside what is to be done in the engine.</source>
+        <translation>这是进入游戏的捷径：单击你的引擎，便会写出适合它的翻页图集，并在模拟地面上播放，旁边是要在引擎中做的事。</translation>
     </message>
 </context>
 <context>
