@@ -11,7 +11,9 @@ namespace {
 std::filesystem::path placeOf(const std::filesystem::path& folder)
 {
     std::error_code unknown;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, unknown);
+    // Of what is not there yet weakly_canonical() leaves a relative path as it is, and makes it whole once it is there.
+    const std::filesystem::path place = std::filesystem::absolute(folder.empty() ? "." : folder, unknown);
+    const std::filesystem::path whole = unknown ? place : std::filesystem::weakly_canonical(place, unknown);
     return unknown ? folder.lexically_normal() : whole;
 }
 
