@@ -91,19 +91,24 @@ def preset_settings(table, labels, layers, found):
     by_place = {}
     for layer, key, value in found:
         group, name = key.split(".")
-        if group in LEFT_OUT or name == "seed" or airy and key.startswith(NOT_READ):
+        is_read = not key.startswith(NOT_READ) if airy else group != "air"
+        if group in LEFT_OUT or name == "seed" or not is_read:
             continue
         shown = value if len(value) < 60 else "of its own"
         shown = re.sub(r"^\[.*\]", lambda match: f"`{match[0]}`", shown)
         by_place.setdefault((layer, group), []).append(f"{labels[key]} {shown}")
-    lines, last = [], None
-    for place in sorted(by_place, key=lambda each: each[0]):
-        layer, group = place
-        if layer != last:
-            what = f"Layer {layer}, {layers[layer]}:" if layer else "What all layers share:" if layers else "What it sets:"
-            lines += ["", what, ""]
-            last = layer
-        lines.append(wrapped(f"[{table.groups[group]}](parameters/{group}.md): " + ", ".join(by_place[place]) + ".", "- ", "  "))
+    lines, said = [], {}
+    for layer in sorted({place[0] for place in by_place}, key=lambda each: int(each or 0)):
+        lines += ["", f"Layer {layer}, {layers[layer]}:" if layer else "What all layers share:" if layers else "What it sets:", ""]
+        same = {}
+        for group in (place[1] for place in by_place if place[0] == layer):
+            link, what = f"[{table.groups[group]}](parameters/{group}.md)", ", ".join(by_place[layer, group])
+            first = said.setdefault((group, what), layer)
+            if first == layer:
+                lines.append(wrapped(f"{link}: {what}.", "- ", "  "))
+            else:
+                same.setdefault(first, []).append(link)
+        lines += [wrapped(f"{', '.join(links)}: as layer {first}.", "- ", "  ") for first, links in same.items()]
     return lines
 
 
