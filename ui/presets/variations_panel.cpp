@@ -220,9 +220,11 @@ Effect VariationsPanel::edited() const
 }
 
 /// While key frames are played each frame tells of a change, which is none of the smoke.
-void VariationsPanel::follow(const EffectChange& change)
+void VariationsPanel::follow()
 {
-    if (change.isOfScene || !(m_effects[kMiddle] == edited())) {
+    if (m_seenLayer != m_document.layer() || !(m_seen == m_document.scene())) {
+        m_seen = m_document.scene();
+        m_seenLayer = m_document.layer();
         m_settle.start();
     }
 }

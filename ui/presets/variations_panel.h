@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 class QGridLayout;
@@ -46,7 +47,7 @@ private:
     void fill();
     void adopt(int cell);
     void goBack();
-    void follow(const EffectChange& change);
+    void follow();
     /// The layer that is edited, without its key frames.
     [[nodiscard]] Effect edited() const;
     /// @param attempt 0, or how many candidates for this cell have shown nothing
@@ -64,6 +65,8 @@ private:
     QToolButton* m_back;
     QLabel* m_locked;
     QTimer m_settle; ///< the smoke is changing: wait until it is still
+    Scene m_seen; ///< the smoke as it was when it changed last
+    std::size_t m_seenLayer = 0; ///< the one that was edited then
     int m_edge = 0; ///< of a picture, in pixels of the desktop
     quint32 m_seed = 1;
     quint64 m_generation = 0;
