@@ -92,7 +92,8 @@ mkdir "$root/work/other" "$root/work/drivers"
 for library in "$app"/usr/lib/*; do
     touch "$root/work/other/${library##*/}" # the loader refuses an empty one
 done
-"${clean[@]}" LD_LIBRARY_PATH="$root/work/drivers:$root/work/other::" ./fumage-cli presets | grep campfire > /dev/null || fail "it takes libraries of LD_LIBRARY_PATH for its own"
+said=$("${clean[@]}" LD_LIBRARY_PATH="$root/work/drivers:$root/work/other::" ./fumage-cli presets 2>&1) || fail "it takes libraries of LD_LIBRARY_PATH for its own: $said"
+case $said in *"error while loading"*) fail "AppRun's tools take libraries of LD_LIBRARY_PATH: $said" ;; esac
 mkdir -p "$root"/asks/usr/{bin,lib,spare/libc.so.6} # a spare that every system has
 cp "$app/AppRun" "$root/asks/fumage-cli"
 touch "$root/asks/usr/lib/libours.so.1" "$root/work/other/libours.so.1"
@@ -143,17 +144,17 @@ rm -f "$HOME"/.local/share/fumage/recovery/*
 SCRIPT
 "${clean[@]}" ./fumage-cli presets --show campfire > campfire.json
 "${clean[@]}" sh "$root/work/open.sh" "$app" "$root/home" campfire.json 2> "$root/errors" || { cat "$root/errors"; fail "the editor does not open offscreen"; }
-if command -v Xvfb openbox xdotool > /dev/null; then
+if command -v Xvfb > /dev/null && command -v openbox > /dev/null && command -v xdotool > /dev/null; then
     "${clean[@]}" bash "$here/../editor/on_screen.sh" bash "$here/open_editor.sh" "$app/fumage" campfire.json
 fi
 
 echo "-- alone"
-# A root with glibc, a shell, and the few tools that AppRun calls.
+# A root with glibc, a shell, and the few tools that AppRun and open.sh call.
 bare=$root/bare
 mkdir -p "$bare/bin" "$bare/tmp" "$bare/home" "$bare/app" "$bare/dev"
 chmod 700 "$bare/home"
 touch "$bare/dev/null"
-for tool in sh dirname readlink uname getconf grep sleep ls; do
+for tool in sh dirname readlink uname getconf grep sleep ls rm; do
     program=$(realpath "$(command -v $tool)")
     install -D --mode=755 "$program" "$bare/bin/$tool"
     for library in $(libraries_of "$program") $(ldd "$program" | sed -n 's/^\t\(\/[^ ]*\) .*/\1/p'); do
