@@ -77,6 +77,17 @@ Tracks comingAt(float speed)
         {{0.0, glm::vec3(-2.0F, 2.0F, 0.0F), Ease::Linear}, {4.0, glm::vec3(-2.0F + 4.0F * speed, 2.0F, 0.0F)}});
 }
 
+/// Particles that are born in one point, between steps, and stay there.
+Effect pointAtRest()
+{
+    Effect effect = thesisEffect(6000);
+    effect.emitter.width = 0.0F;
+    effect.emitter.depth = 0.0F;
+    effect.emitter.speed = 0.0F;
+    effect.emitter.subframe = true;
+    return effect;
+}
+
 } // namespace
 
 class KeyedMotionTest : public QObject {
@@ -217,11 +228,7 @@ private slots:
 
     void nothingIsBornOnTheWayBackToTheFirstKey()
     {
-        Effect effect = thesisEffect(6000);
-        effect.emitter.width = 0.0F;
-        effect.emitter.depth = 0.0F;
-        effect.emitter.speed = 0.0F;
-        effect.emitter.subframe = true;
+        Effect effect = pointAtRest();
         Track way{&knownParameter("emitter.position"),
             {{0.0, glm::vec3(0.0F), Ease::Linear}, {1.0, glm::vec3(9.0F, 0.0F, 0.0F)}}};
         way.after = Extrapolation::Loop;
@@ -244,11 +251,7 @@ private slots:
 
     void newbornsLieAlongTheWayThroughTheEndOfALoop()
     {
-        Effect effect = thesisEffect(6000);
-        effect.emitter.width = 0.0F;
-        effect.emitter.depth = 0.0F;
-        effect.emitter.speed = 0.0F;
-        effect.emitter.subframe = true;
+        Effect effect = pointAtRest();
         effect.timeline.loop = true;
         effect.timeline.length = 30;
         const glm::vec3 far(9.0F, 0.0F, 0.0F);
