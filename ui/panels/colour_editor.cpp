@@ -12,7 +12,6 @@
 #include <memory>
 
 #include <QColorDialog>
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
@@ -21,16 +20,6 @@ namespace fumage::ui {
 
 /// As many digits as three fields beside one another have room for; a channel of a screen has 256 steps.
 static constexpr double kShown = 1e3;
-
-/// Tells what is around an editor that its gesture is taken back.
-static void sendDragCancel(QWidget& editor)
-{
-    DragCancel cancel;
-    for (QWidget* to = &editor; to != nullptr && !cancel.isAccepted();
-         to = to->isWindow() ? nullptr : to->parentWidget()) {
-        QCoreApplication::sendEvent(to, &cancel);
-    }
-}
 
 QColor screenColour(const glm::vec3& linear)
 {
@@ -63,7 +52,7 @@ QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec
     });
     QObject::connect(dialog, &QColorDialog::rejected, parent, [parent, changed, before, isTouched] {
         if (*isTouched) {
-            sendDragCancel(*parent); // a key frame of the colour before is one more than there was
+            sendDragCancel(parent); // a key frame of the colour before is one more than there was
             changed(before, true);
         }
     });

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QMouseEvent>
 #include <QScreen>
+#include <QWidget>
 
 namespace fumage::ui {
 
@@ -26,6 +27,15 @@ QEvent::Type DragCancel::type()
 {
     static const auto registered = static_cast<QEvent::Type>(QEvent::registerEventType());
     return registered;
+}
+
+void sendDragCancel(QWidget* dragged)
+{
+    DragCancel cancel;
+    for (QWidget* to = dragged; to != nullptr && !cancel.isAccepted();
+         to = to->isWindow() ? nullptr : to->parentWidget()) {
+        QCoreApplication::sendEvent(to, &cancel);
+    }
 }
 
 void EndlessWay::begin(const QMouseEvent& press)

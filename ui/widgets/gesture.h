@@ -5,6 +5,8 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+class QWidget;
+
 namespace fumage::ui {
 
 /// Turns of a wheel in notches, away from the hand positive; touchpads send parts of one.
@@ -24,6 +26,10 @@ public:
     }
     [[nodiscard]] static Type type();
 };
+
+/// Sends it to what is dragged, and on to what is around it within its window, until somebody accepts it.
+/// @param dragged null: nobody
+void sendDragCancel(QWidget* dragged);
 
 /// The way of a mouse that is dragged, as if the screen had no edges: where it ends, the pointer comes in again at the
 /// other side.

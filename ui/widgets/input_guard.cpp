@@ -171,11 +171,7 @@ void InputGuard::letGo()
 
 void InputGuard::takeBack()
 {
-    DragCancel cancel;
-    for (QWidget* to = m_held; to != nullptr && !cancel.isAccepted();
-         to = to->isWindow() ? nullptr : to->parentWidget()) {
-        QCoreApplication::sendEvent(to, &cancel);
-    }
+    sendDragCancel(m_held);
     if (m_held) {
         letGo();
     }
