@@ -289,6 +289,7 @@ struct Light {
     float shadow = 1.5F;
     float anisotropy = 0.3F;
     float scattering = 0.45F;
+    float multipleScattering = 0.0F;
     glm::vec3 sky{0.42F, 0.52F, 0.68F};
     glm::vec3 ground{0.20F, 0.18F, 0.16F};
     float ambient = 0.48F;

@@ -31,6 +31,8 @@ struct LightGrid {
     AlignedArray<float> plain; ///< the same without the detail that is in it; empty: there is none
     /// Four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
     AlignedArray<float> light;
+    /// Four floats a cell, empty where there is none: light of sun, sky and ground that smoke has scattered many times
+    AlignedArray<float> diffuse;
     AlignedArray<float> fire; ///< one float a cell: light of what glows in the smoke; empty: there is none
     glm::vec3 fireColour{0.0F};
     float fireStrength = 1.0F; ///< that its light is multiplied by
@@ -39,12 +41,33 @@ struct LightGrid {
     [[nodiscard]] const AlignedArray<float>& densityOfParticles() const { return plain.empty() ? density : plain; }
 };
 
+/// What diffuseLight() needs while it works.
+struct DiffusionWorkspace {
+    /// Cells of one size, u fastest.
+    struct Level {
+        int nu = 0, nv = 0, nw = 0;
+        float cell = 1.0F; ///< edge, m
+        AlignedArray<float> depth; ///< extinction times edge
+        AlignedArray<float> taken; ///< four floats a cell
+        AlignedArray<float> light; ///< four floats a cell
+
+        [[nodiscard]] std::size_t at(int u, int v, int w) const
+        {
+            return (static_cast<std::size_t>(w) * static_cast<std::size_t>(nv) + static_cast<std::size_t>(v))
+                * static_cast<std::size_t>(nu)
+                + static_cast<std::size_t>(u);
+        }
+    };
+    std::vector<Level> levels;
+};
+
 /// What lightSmoke() needs while it works; kept, so that its memory is allocated once.
 struct LightWorkspace {
     AlignedArray<float> sky; ///< one float a cell, before they go into light
     AlignedArray<float> ground;
     AlignedArray<float> air; ///< a line of cells without density: what lies before the first
     AlignedArray<float> soft; ///< four floats a cell, half softened
+    DiffusionWorkspace diffusion;
     LightGrid layer; ///< densities of one layer of several
     std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker
 };

@@ -5,6 +5,7 @@
 #include "core/base/vector.h"
 #include "core/lighting/detail_light.h"
 #include "core/lighting/light_kernel.h"
+#include "core/lighting/multiple_scattering.h"
 #include "core/scene/scene.h"
 
 #include <algorithm>
@@ -259,6 +260,7 @@ void lightSmoke(LitLayers layers, const glm::vec3& eye, LightWorkspace& room, Li
         out.density.assign(1 + kPadding, 0.0F);
         out.plain.clear();
         out.light.assign(4, 0.0F);
+        out.diffuse.clear();
         return;
     }
     const Light& light = layers.front().effect->light;
@@ -270,6 +272,7 @@ void lightSmoke(LitLayers layers, const glm::vec3& eye, LightWorkspace& room, Li
     room.ground.assign(cells, 0.0F);
     addAmbientLight(light, room, out);
     addSunLight(light, eye, room, out);
+    scatterManyTimes(light, room, out);
 }
 
 } // namespace fumage

@@ -70,6 +70,10 @@ HWY_INLINE LitColour litColourOf(
     LitColour out;
     out.direct = albedo * job.sun * light[0];
     out.ambient = albedo * (job.sky * light[1] + job.ground * light[2]);
+    if (job.isScattered) {
+        const Float4 diffuse = block.at<Float4>(grid.shape, grid.diffuse, i);
+        out.ambient += albedo * (job.sun * diffuse[0] + job.sky * diffuse[1] + job.ground * diffuse[2]);
+    }
     if (job.isLitByFire) {
         out.ambient += albedo * job.fire * block.at<float>(grid.shape, grid.fire, i);
     }

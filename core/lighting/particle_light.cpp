@@ -29,6 +29,7 @@ ParticleLight particleLight(const Effect& effect, const LightGrid& grid)
     out.sun = colour4(effect.light.colour);
     out.sky = colour4(effect.light.sky * effect.light.ambient);
     out.ground = colour4(effect.light.ground * effect.light.ambient);
+    out.isScattered = !grid.diffuse.empty();
     out.isLitByFire = effect.glow.fireLight > 0.0F && !grid.fire.empty();
     out.fire = colour4(grid.fireColour * grid.fireStrength);
     return out;

@@ -22,6 +22,7 @@ struct ParticleLight {
     Float4 sky{};
     Float4 ground{};
     Float4 fire{}; ///< colour of the light of what glows
+    bool isScattered = false; ///< there is light that was scattered many times
     bool isLitByFire = false;
     bool glows = false;
     GlowTable glow;

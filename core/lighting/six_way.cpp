@@ -1,6 +1,7 @@
 #include "core/lighting/six_way.h"
 
 #include "core/base/parallel.h"
+#include "core/lighting/multiple_scattering.h"
 #include "core/lighting/six_way_kernel.h"
 #include "core/lighting/soft_light.h"
 
@@ -28,6 +29,27 @@ void interleave(const std::array<AlignedArray<float>, SixWayLight::kDirections>&
     });
 }
 
+/// Fills the cells of both halves of the directions.
+void shineSixWays(const SunJob& sun, SixWayLight& light, AlignedArray<float>& above, AlignedArray<float>& below)
+{
+    const std::size_t cells = light.grid.shape.cells();
+    parallelFor(SixWayLight::kDirections, [&](std::size_t direction) {
+        AlignedArray<float>& to = light.single[direction];
+        to.resize(cells + kPadding);
+        addSunFrom(light.grid, sun, static_cast<int>(direction / 2), direction % 2 == 0, to.data());
+    });
+    interleave(light.single, 0, cells, above);
+    interleave(light.single, 1, cells, below);
+}
+
+/// What is left of a light, without what smoke makes of it.
+SunJob throughSmoke(SunJob sun)
+{
+    sun.anisotropy = 0.0F;
+    sun.scattering = 0.0F;
+    return sun;
+}
+
 } // namespace
 
 void lightSixWays(LitLayers layers, const Axes& axes, const glm::vec3& eye, LightWorkspace& room, SixWayLight& out)
@@ -42,13 +64,12 @@ void lightSixWays(LitLayers layers, const Axes& axes, const glm::vec3& eye, Ligh
     light.intensity = 1.0F;
     fillDensity(layers, light, axes, room, out.grid);
     const SunJob sun = sunJob(light, axes, eye);
-    const std::size_t cells = out.grid.shape.cells();
-    parallelFor(SixWayLight::kDirections, [&](std::size_t direction) {
-        out.single[direction].resize(cells + kPadding);
-        addSunFrom(out.grid, sun, static_cast<int>(direction / 2), direction % 2 == 0, out.single[direction].data());
-    });
-    interleave(out.single, 0, cells, out.fromAbove);
-    interleave(out.single, 1, cells, out.fromBelow);
+    shineSixWays(sun, out, out.fromAbove, out.fromBelow);
+    if (light.multipleScattering > 0.0F) {
+        shineSixWays(throughSmoke(sun), out, out.diffuseAbove, out.diffuseBelow);
+        addScatteredManyTimes(light, out.grid, room, out.diffuseAbove, out.fromAbove);
+        addScatteredManyTimes(light, out.grid, room, out.diffuseBelow, out.fromBelow);
+    }
     softenCells(out.grid.shape, SixWayLight::kStride, out.fromAbove, room.soft);
     softenCells(out.grid.shape, SixWayLight::kStride, out.fromBelow, room.soft);
 }

@@ -15,6 +15,8 @@ struct SixWayLight {
     LightGrid grid; ///< shape and density; its light is not used
     AlignedArray<float> fromAbove; ///< kStride floats a cell: light from +u, +v, +w, and one that is not looked at
     AlignedArray<float> fromBelow; ///< the same from -u, -v, -w
+    /// What is left of them, and then scattered many times: as above, where light.multiple_scattering asks for it.
+    AlignedArray<float> diffuseAbove, diffuseBelow;
     std::array<AlignedArray<float>, kDirections> single; ///< one float a cell while the directions are gone through
 };
 

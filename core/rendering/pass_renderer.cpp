@@ -161,6 +161,7 @@ void PassRenderer::makeTargets(const FrameAmongOthers& frames, PassSet passes)
         for (std::size_t i = 0; i < m_even.light.size(); i += SixWayLight::kStride) {
             m_even.light[i] = 1.0F;
         }
+        m_even.diffuse.clear();
     }
     for (std::size_t i = 0; i < frames.layers.size(); ++i) {
         makeTargetsOf(frames, i, passes);

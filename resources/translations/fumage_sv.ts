@@ -5855,6 +5855,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Of a layer whose particles are born on those of another: the share of a parent&apos;s life up to which they are. 0.1: while it is young.</source>
         <translation>För ett lager vars partiklar föds på ett annats: den andel av en förälders liv till vilken de föds. 0.1: medan den är ung.</translation>
     </message>
+    <message>
+        <source>Multiple scattering</source>
+        <translation>Multipel spridning</translation>
+    </message>
+    <message>
+        <source>Light that wanders through the smoke: folds light one another, and nothing that is white is black. 1: white as clouds and steam are. 0: every shadow stays as dark as it falls.</source>
+        <translation>Ljus som vandrar genom röken: vecken lyser upp varandra, och inget som är vitt blir svart. 1: vitt som moln och ånga. 0: varje skugga förblir så mörk som den faller.</translation>
+    </message>
+    <message>
+        <source>Stam 1995, multiple scattering as a diffusion process</source>
+        <translation>Stam 1995, multipel spridning som diffusion</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>

@@ -5855,6 +5855,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Of a layer whose particles are born on those of another: the share of a parent&apos;s life up to which they are. 0.1: while it is young.</source>
         <translation>适用于粒子生于另一图层粒子上的图层：到父粒子生命的哪个比例为止产生。0.1：仅在其年轻时。</translation>
     </message>
+    <message>
+        <source>Multiple scattering</source>
+        <translation>多重散射</translation>
+    </message>
+    <message>
+        <source>Light that wanders through the smoke: folds light one another, and nothing that is white is black. 1: white as clouds and steam are. 0: every shadow stays as dark as it falls.</source>
+        <translation>在烟雾中穿行的光：褶皱相互照亮，白色之处不再发黑。1：如云和蒸汽般洁白。0：阴影落下多暗就保持多暗。</translation>
+    </message>
+    <message>
+        <source>Stam 1995, multiple scattering as a diffusion process</source>
+        <translation>Stam 1995，作为扩散过程的多重散射</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>

@@ -53,6 +53,18 @@ inline constexpr std::array kRows<Light>{
         .dirties = DirtyStage::Shade,
         .animates = Animates::Frame,
     }),
+    row<&Light::multipleScattering>({
+        .key = "light.multiple_scattering",
+        .label = "Multiple scattering",
+        .synonyms = "diffuse diffusion white cloud steam snow bounce fill soft bright translucent subsurface black",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "Light that wanders through the smoke: folds light one another, and nothing that is white is black. "
+               "1: white as clouds and steam are. 0: every shadow stays as dark as it falls.",
+        .source = "Stam 1995, multiple scattering as a diffusion process",
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+    }),
     row<&Light::anisotropy>({
         .key = "light.anisotropy",
         .label = "Forward scattering",
