@@ -79,12 +79,13 @@ void advanceAlone(benchmark::State& state, int particles)
 }
 
 /// What the light of a game's smoke costs beside its steps: as it is seen from another place each time.
-void light(benchmark::State& state, int particles, int resolution, bool withNormals)
+void light(benchmark::State& state, int particles, int resolution, bool withNormals, float multiple = 0.0F)
 {
     const ThreadLimit one(1);
     Effect effect = inGame(particles);
     effect.air.enabled = false;
     effect.light.resolution = resolution;
+    effect.light.multipleScattering = multiple;
     Result<LiveSimulation> made = LiveSimulation::start(effect);
     if (!made) {
         state.SkipWithError(made.error().text().c_str());
@@ -235,9 +236,11 @@ void addLiveBenchmarks(std::vector<Claim>& claims)
         const std::string name = "live/light_" + std::to_string(resolution);
         add(name, [=](benchmark::State& state) { light(state, 20000, resolution, false); });
         add(name + "_normals", [=](benchmark::State& state) { light(state, 20000, resolution, true); });
+        add(name + "_multiple", [=](benchmark::State& state) { light(state, 20000, resolution, false, 1.0F); });
         const std::string what = "light on 20000 live particles, " + std::to_string(resolution) + " cells, 1 thread";
         claims.push_back({what, name, "", ""});
         claims.push_back({"  and their normals", name + "_normals", "", ""});
+        claims.push_back({"  with multiple scattering, over without", name, name + "_multiple", ""});
     }
     addMinutes(claims);
 }
