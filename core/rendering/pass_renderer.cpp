@@ -156,7 +156,8 @@ void PassRenderer::makeTargets(const FrameAmongOthers& frames, PassSet passes)
     if (needsTarget(passes, PassTarget::RightTopBack)) {
         makeSixWays(frames);
     }
-    if (needsTarget(passes, PassTarget::Emission) || needsTarget(passes, PassTarget::Albedo)) {
+    if (needsTarget(passes, PassTarget::Emission) || needsTarget(passes, PassTarget::Albedo)
+        || needsTarget(passes, PassTarget::Inner)) {
         m_even = m_renderer.light();
         for (std::size_t i = 0; i < m_even.light.size(); i += SixWayLight::kStride) {
             m_even.light[i] = 1.0F;
@@ -192,7 +193,7 @@ void PassRenderer::makeTargetsOf(const FrameAmongOthers& frames, std::size_t lay
         }
     }
     if (needsTarget(passes, PassTarget::Inner)) {
-        makeOtherSprites(of, asThermometer(*of.effect), m_renderer.light(), layer);
+        makeOtherSprites(of, asThermometer(*of.effect), m_even, layer);
         take(&Sprite::ambient, target(PassTarget::Inner, layer));
     }
 }

@@ -83,7 +83,7 @@ private:
     SixWayLight m_sixWay;
     LightWorkspace m_lightWorkspace;
     SpriteBatch m_other; ///< the sprites of a layer under other light
-    LightGrid m_even; ///< the light of the frame, but for the sun, which is everywhere
+    LightGrid m_even; ///< the light of the frame as it first scatters it, but for the sun, which is everywhere
     std::array<std::vector<SpriteTarget>, kPassTargets> m_targets; ///< of each layer
     PassSet m_passes; ///< of the last frame
     int m_factor = 1; ///< by which it is rendered larger

@@ -125,7 +125,7 @@ private slots:
         const DataImage map = fire.pictures.picture(Pass::SixWayB);
         const DataImage emission = fire.pictures.picture(Pass::Emission);
         const PassScales& scales = fire.pictures.scales();
-        QVERIFY(largest(map, 3) > 254.0F / 255.0F); // all bits are used
+        QVERIFY2(largest(map, 3) > 254.0F / 255.0F, std::to_string(largest(map, 3)).c_str()); // all bits are used
         const float hottest = largest(fire.pictures.picture(Pass::Temperature), 0);
         QVERIFY(hottest > 254.0F / 255.0F || hottest == 0.0F); // what is lit by fire need not glow itself
         double error = 0.0;
