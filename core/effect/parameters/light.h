@@ -55,6 +55,7 @@ inline constexpr std::array kRows<Light>{
     }),
     row<&Light::multipleScattering>({
         .key = "light.multiple_scattering",
+        .since = 2,
         .label = "Multiple scattering",
         .synonyms = "diffuse diffusion white cloud steam snow bounce fill soft bright translucent subsurface black",
         .hard = kUnit,
