@@ -121,11 +121,13 @@ void refine(const Level& from, Level& to)
 void balancePlane(Level& level, Float4 extinction, float clear, int odd, int w)
 {
     constexpr float kOverRelaxation = 1.5F; // Young 1954: fewer sweeps
+    const Float4 throughAir = 1.0F / (Float4{} + clear);
     const auto line = static_cast<std::size_t>(level.nu);
     const std::size_t plane = line * static_cast<std::size_t>(level.nv);
     for (int v = 0; v < level.nv; ++v) {
         for (int u = (v + w + odd) % 2; u < level.nu; u += 2) {
             const std::size_t cell = level.at(u, v, w);
+            const bool isClear = !(level.depth[cell] > 0.0F);
             const Float4 own = extinction * level.depth[cell];
             Float4 given = at(level.taken, cell);
             Float4 passed = kAbsorbed * own;
@@ -134,6 +136,11 @@ void balancePlane(Level& level, Float4 extinction, float clear, int odd, int w)
                 constexpr float kOut = 2.0F; // half of phi goes out where nothing comes in (Marshak 1947)
                 if (!inside) {
                     passed += 1.0F / (kThreeHalves * own + kOut);
+                    return;
+                }
+                if (isClear && !(level.depth[other] > 0.0F)) { // as most cells of a grid are: no division
+                    passed += throughAir;
+                    given += throughAir * at(level.light, other);
                     return;
                 }
                 const Float4 way = kThreeHalves * (own + extinction * level.depth[other]);
