@@ -55,7 +55,9 @@ class Program:
         return done
 
     def start(self, *words, **options):
-        return subprocess.Popen(self.command + list(words), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **options)
+        # What a shell runs in the background does not hear Ctrl-C, nor what that starts.
+        return subprocess.Popen(self.command + list(words), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **options)
 
 
 class Checks:
