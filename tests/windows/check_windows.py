@@ -11,6 +11,7 @@ Steps: platform  what the core promises of files, locks, programs and memory, by
 """
 
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -237,7 +238,11 @@ class Checks:
     @staticmethod
     def stamps(folder):
         """What shows that something is being written."""
-        return {entry.name: entry.stat().st_mtime_ns for entry in os.scandir(folder) if os.path.exists(entry.path)}
+        found = {}
+        for entry in os.scandir(folder):
+            with contextlib.suppress(FileNotFoundError):  # a draft that has become a file since
+                found[entry.name] = entry.stat().st_mtime_ns
+        return found
 
 
 def main():
