@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/lighting/fire_light_kernel.h"
+#include "core/lighting/grid_planes.h"
 #include "core/lighting/light_grid.h"
 #include "core/scene/scene.h"
 
@@ -56,18 +57,11 @@ struct GivenOff {
     [[nodiscard]] float meanHeat() const { return sum > 0.0 ? static_cast<float>(heat / sum) : 0.0F; }
 };
 
-/// Calls body(w) for each plane: on several threads where that is worth it.
+/// Calls body(w) for each plane.
 template <class Body>
 void forPlanes(const GridField& field, const Body& body)
 {
-    constexpr std::size_t kWorthThreads = 16384; // cells
-    if (field.values.size() >= kWorthThreads) {
-        parallelFor(static_cast<std::size_t>(field.nw), [&](std::size_t w) { body(static_cast<int>(w)); });
-        return;
-    }
-    for (int w = 0; w < field.nw; ++w) {
-        body(w);
-    }
+    forGridPlanes(field.nw, field.values.size(), body);
 }
 
 /// Cells along an axis of a grid of twice the size: their centres lie half a cell before the first one and after the

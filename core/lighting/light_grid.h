@@ -30,9 +30,9 @@ void fillDensity(LitLayers layers, const Light& light, const Axes& axes, LightWo
 /// w, then sum over i of s^i p(g / 2^i) exp(-tau 0.35^i), divided by the sum of s^i (Wrenninge, Kulla, Lundqvist, "Oz:
 /// The Great and Volumetric", 2013), p the Henyey-Greenstein phase function relative to an isotropic one. Sky and
 /// ground: transmittance along the six axis directions, weighted by how much they face up or down. What smoke scatters
-/// many times comes on top of both: scatterManyTimes(). Sums are of whole
-/// numbers, so that their order does not matter: the same bits for any thread count. Shares of a particle are rounded
-/// up or down by its random bits, with their mean kept: thin particles add up to as much smoke as dense ones.
+/// many times comes on top of both: scatterManyTimes(). Sums are of whole numbers, so that their order does not matter:
+/// the same bits for any thread count. Shares of a particle are rounded up or down by its random bits, with their mean
+/// kept: thin particles add up to as much smoke as dense ones.
 /// @param layers with bounds in lightAxes(effect.light.direction); detail that one has throws shadow
 /// @param eye    the camera, m
 /// O(particles + cells); as many cells as make a difference to the picture, at most resolution along the longest edge.

@@ -1,8 +1,8 @@
 #include "core/lighting/multiple_scattering.h"
 
 #include "core/base/math.h"
-#include "core/base/parallel.h"
 #include "core/effect/effect.h"
+#include "core/lighting/grid_planes.h"
 
 #include <algorithm>
 #include <array>
@@ -40,18 +40,11 @@ void put(AlignedArray<float>& values, std::size_t cell, Float4 value)
     std::memcpy(values.data() + cell * kChannels, &value, sizeof(value));
 }
 
-/// Calls body(w) for each plane: on several threads where that is worth it.
+/// Calls body(w) for each plane.
 template <class Body>
 void forPlanes(const Level& level, const Body& body)
 {
-    constexpr std::size_t kWorthThreads = 8192; // cells
-    if (level.depth.size() >= kWorthThreads) {
-        parallelFor(static_cast<std::size_t>(level.nw), [&](std::size_t w) { body(static_cast<int>(w)); });
-        return;
-    }
-    for (int w = 0; w < level.nw; ++w) {
-        body(w);
-    }
+    forGridPlanes(level.nw, level.depth.size(), body);
 }
 
 /// A cell of twice the size has the mean extinction of eight, and takes what they take over four times the face.
@@ -177,14 +170,14 @@ float takenOf(float depth)
     return in - 1.0F / in;
 }
 
-/// Calls body(cell, depth) for each cell and its optical depth, on all threads.
+/// Calls body(cell, depth) for each cell and its optical depth.
 template <class Body>
 void forCells(const LightGrid& grid, const Body& body)
 {
-    const auto planes = static_cast<std::size_t>(grid.shape.nw);
-    const std::size_t plane = grid.shape.cells() / planes;
-    parallelFor(planes, [&](std::size_t w) {
-        for (std::size_t cell = w * plane; cell < (w + 1) * plane; ++cell) {
+    const std::size_t plane = grid.shape.cells() / static_cast<std::size_t>(grid.shape.nw);
+    forGridPlanes(grid.shape.nw, grid.shape.cells(), [&](int w) {
+        const std::size_t first = static_cast<std::size_t>(w) * plane;
+        for (std::size_t cell = first; cell < first + plane; ++cell) {
             body(cell, grid.density[cell] * grid.shape.cell);
         }
     });

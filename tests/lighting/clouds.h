@@ -2,6 +2,10 @@
 
 #include "tests/helpers.h"
 
+#include "core/effect/sampling.h"
+#include "core/lighting/appearance.h"
+#include "core/lighting/light_grid.h"
+
 namespace fumage::tests {
 
 /// A frame with particles of one mass at chosen places; ages and lives are those of newborns.
@@ -40,6 +44,58 @@ inline Effect evenLook()
     effect.look.opacity = 5.0F;
     effect.look.dilution = 0.0F;
     return effect;
+}
+
+/// The same under a sun that stands above, scattered once and evenly.
+inline Effect lookInSun()
+{
+    Effect effect = evenLook();
+    effect.light.direction = {0.0F, -1.0F, 0.0F};
+    effect.light.anisotropy = 0.0F;
+    effect.light.shadow = 1.0F;
+    effect.light.occlusion = 1.0F;
+    effect.light.scattering = 0.0F;
+    effect.light.intensity = 1.0F;
+    effect.light.resolution = 64;
+    return effect;
+}
+
+/// Places of a cube of a metre, evenly filled.
+inline std::vector<glm::vec3> box(int n)
+{
+    std::vector<glm::vec3> places;
+    for (int x = 0; x < n; ++x) {
+        for (int y = 0; y < n; ++y) {
+            for (int z = 0; z < n; ++z) {
+                places.push_back(glm::vec3(x, y, z) / static_cast<float>(n - 1));
+            }
+        }
+    }
+    return places;
+}
+
+/// The light of a frame.
+struct Lit {
+    Appearance appearance;
+    LightGrid grid;
+    LightWorkspace room;
+
+    Lit(const Frame& frame, const Effect& effect, const glm::vec3& eye = {0.0F, 0.5F, 100.0F})
+    {
+        findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
+        const LitLayer layer{&frame, &effect, &appearance, nullptr};
+        lightSmoke({&layer, 1}, eye, room, grid);
+    }
+};
+
+/// A grid of so many cells of one metre.
+inline GridShape shapeOf(int nu, int nv, int nw)
+{
+    GridShape shape;
+    shape.nu = nu;
+    shape.nv = nv;
+    shape.nw = nw;
+    return shape;
 }
 
 } // namespace fumage::tests

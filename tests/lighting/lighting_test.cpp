@@ -16,33 +16,6 @@ using namespace fumage::tests;
 
 namespace {
 
-Effect lookInSun()
-{
-    Effect effect = evenLook();
-    effect.light.direction = {0.0F, -1.0F, 0.0F};
-    effect.light.anisotropy = 0.0F;
-    effect.light.shadow = 1.0F;
-    effect.light.occlusion = 1.0F;
-    effect.light.scattering = 0.0F;
-    effect.light.intensity = 1.0F;
-    effect.light.resolution = 64;
-    return effect;
-}
-
-/// A box of smoke, evenly filled.
-std::vector<glm::vec3> box(int n)
-{
-    std::vector<glm::vec3> places;
-    for (int x = 0; x < n; ++x) {
-        for (int y = 0; y < n; ++y) {
-            for (int z = 0; z < n; ++z) {
-                places.push_back(glm::vec3(x, y, z) / static_cast<float>(n - 1));
-            }
-        }
-    }
-    return places;
-}
-
 /// Extinction times volume, summed over the grid.
 double crossSection(const LightGrid& grid)
 {
@@ -68,19 +41,6 @@ double lightOfSmoke(const Effect& effect)
     }
     return light / alpha;
 }
-
-struct Lit {
-    Appearance appearance;
-    LightGrid grid;
-    LightWorkspace room;
-
-    Lit(const Frame& frame, const Effect& effect, const glm::vec3& eye = {0.0F, 0.5F, 100.0F})
-    {
-        findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
-        const LitLayer layer{&frame, &effect, &appearance, nullptr};
-        lightSmoke({&layer, 1}, eye, room, grid);
-    }
-};
 
 /// Appearance of a cloud before and after its lone particles have grown.
 struct Grown {

@@ -26,16 +26,6 @@ constexpr std::size_t kChannels = 4;
 constexpr double kAbsorbed = 0.005;
 constexpr double kPi64 = 3.14159265358979;
 
-/// Cells of one metre.
-GridShape shapeOf(int nu, int nv, int nw)
-{
-    GridShape shape;
-    shape.nu = nu;
-    shape.nv = nv;
-    shape.nw = nw;
-    return shape;
-}
-
 std::size_t cellAt(const GridShape& shape, const glm::ivec3& at)
 {
     return static_cast<std::size_t>((at.z * shape.nv + at.y) * shape.nu + at.x);
@@ -69,45 +59,32 @@ struct AnySmoke {
 /// A cube of white smoke of one metre, its sun above.
 Effect whiteSmoke(float multiple)
 {
-    Effect effect = evenLook();
-    effect.light.direction = {0.0F, -1.0F, 0.0F};
-    effect.light.intensity = 1.0F;
-    effect.light.anisotropy = 0.0F;
-    effect.light.scattering = 0.0F;
-    effect.light.shadow = 1.0F;
-    effect.light.occlusion = 1.0F;
+    Effect effect = lookInSun();
     effect.light.resolution = 48;
     effect.look.opacity = 0.9F; // an optical depth of ten
     effect.light.multipleScattering = multiple;
     return effect;
 }
 
+constexpr glm::vec3 kEye(0.5F, 0.5F, 100.0F);
+
 /// Its light, and what is next to it.
 struct LitCube {
     Frame frame;
-    Appearance appearance;
-    LightWorkspace room;
-    LightGrid grid;
+    Lit lit;
 
     explicit LitCube(const Effect& effect)
+        : frame(cloud(effect, box(24)))
+        , lit(frame, effect, kEye)
     {
-        std::vector<glm::vec3> places;
-        constexpr int kAlongEdge = 24;
-        for (int i = 0; i < kAlongEdge * kAlongEdge * kAlongEdge; ++i) {
-            const glm::vec3 cell(i % kAlongEdge, i / kAlongEdge % kAlongEdge, i / (kAlongEdge * kAlongEdge));
-            places.push_back(cell / static_cast<float>(kAlongEdge - 1));
-        }
-        frame = cloud(effect, places);
-        findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
-        const LitLayer layer{&frame, &effect, &appearance, nullptr};
-        lightSmoke({&layer, 1}, {0.5F, 0.5F, 100.0F}, room, grid);
     }
 
     /// A channel of the light with what is scattered many times, along the way of the sun through the middle.
     [[nodiscard]] std::vector<double> alongSun(std::size_t channel) const
     {
         std::vector<double> out;
-        const auto& shape = grid.shape;
+        const LightGrid& grid = lit.grid;
+        const GridShape& shape = grid.shape;
         for (int w = 1; w + 1 < shape.nw; ++w) {
             const std::size_t at = cellAt(shape, {shape.nu / 2, shape.nv / 2, w}) * kChannels + channel;
             out.push_back(static_cast<double>(grid.light[at])
@@ -149,9 +126,9 @@ private slots:
     void inEvenLightWhiteSmokeCannotBeSeen()
     {
         // As much comes from all sides as goes to all sides: sky and ground with what is scattered are 2 everywhere.
-        const LitCube lit(whiteSmoke(1.0F));
-        const std::vector<double> sky = lit.alongSun(1);
-        const std::vector<double> ground = lit.alongSun(2);
+        const LitCube cube(whiteSmoke(1.0F));
+        const std::vector<double> sky = cube.alongSun(1);
+        const std::vector<double> ground = cube.alongSun(2);
         for (std::size_t i = 0; i < sky.size(); ++i) {
             const double from = i < 3 || i + 3 >= sky.size() ? 1.1 : 1.5; // less at the edge: directions are but six
             QVERIFY2(
@@ -175,12 +152,12 @@ private slots:
 
     void withoutItNothingIsAdded()
     {
-        const LitCube lit(whiteSmoke(0.0F));
-        QVERIFY(lit.grid.diffuse.empty());
+        const LitCube cube(whiteSmoke(0.0F));
+        QVERIFY(cube.lit.grid.diffuse.empty());
         Effect clear = whiteSmoke(1.0F);
         clear.light.shadow = clear.light.occlusion = 0.0F;
         const LitCube nothingTaken(clear);
-        for (const float light : nothingTaken.grid.diffuse) {
+        for (const float light : nothingTaken.lit.grid.diffuse) {
             QCOMPARE(light, 0.0F);
         }
     }
@@ -243,11 +220,11 @@ private slots:
             Effect effect = whiteSmoke(0.6F);
             effect.light.scattering = scattering;
             const LitCube sun(effect);
-            const LitLayer layer{&sun.frame, &effect, &sun.appearance, nullptr};
+            const LitLayer layer{&sun.frame, &effect, &sun.lit.appearance, nullptr};
             SixWayLight six;
             LightWorkspace room;
-            lightSixWays({&layer, 1}, lightAxes(effect.light.direction), {0.5F, 0.5F, 100.0F}, room, six);
-            LightGrid soft = sun.grid;
+            lightSixWays({&layer, 1}, lightAxes(effect.light.direction), kEye, room, six);
+            LightGrid soft = sun.lit.grid;
             softenCells(soft.shape, kChannels, soft.light, room.soft);
             softenCells(soft.shape, kChannels, soft.diffuse, room.soft);
             for (std::size_t i = 0; i < soft.light.size(); i += kChannels) {

@@ -1,6 +1,7 @@
 // Light that is spread over neighbouring cells.
 
 #include "tests/helpers.h"
+#include "tests/lighting/clouds.h"
 
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
@@ -14,15 +15,6 @@ using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
-
-GridShape shapeOf(int nu, int nv, int nw)
-{
-    GridShape shape;
-    shape.nu = nu;
-    shape.nv = nv;
-    shape.nw = nw;
-    return shape;
-}
 
 /// Values of cells and channels, softened.
 template <class ValueAt>
