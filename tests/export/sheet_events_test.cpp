@@ -272,8 +272,8 @@ private slots:
         QFETCH(int, engine);
         Scene scene = marked({});
         FlipbookOptions options = sheet({0, 15, 1}, 4, 2);
-        EngineSheet drawn{scene, 4, 2, cellsPerSecond(scene, options)};
-        drawn.pictures.push_back({Pass::Colour, "a.png"});
+        EngineSheet drawn{scene, 4, 2, cellsPerSecond(scene, options), false, {}, {}, {}};
+        drawn.pictures.push_back({Pass::Colour, "a.png", {}});
         drawn.events = {{"a", 0.1, 1}, {"b", 0.1, 1}, {"c", 0.100004, 1}, {"d", 0.2, 3}, {"e", 0.2, 3}, {"f", 50.0, 7},
             {"g", 50.0004, 7}};
         const QString text = QString::fromStdString(makeEngineFiles(static_cast<Engine>(engine), drawn).front());
