@@ -183,6 +183,20 @@ private slots:
     }
 
     /// A node a layer, the first at the bottom of the picture: Effekseer draws nodes in the order of its tree.
+    void whatHasNoPassIsRefusedForEveryEngine()
+    {
+        for (const Engine engine : kAllEngines) {
+            for (std::size_t layers = 0; layers < kLayerOutputs; ++layers) {
+                Sheet sheet(engine);
+                sheet.options.layers = static_cast<LayerOutput>(layers);
+                sheet.options.passes = PassSet();
+                const std::vector<std::filesystem::path> files = filesOf(sheet.effect, sheet.options);
+                QVERIFY(std::ranges::none_of(files, [](const auto& file) { return file.extension() == ".png"; }));
+                QVERIFY(!renderFlipbook(sheet.effect, sheet.options).ok());
+                QVERIFY(QDir(sheet.folder.path()).isEmpty());
+            }
+        }
+    }
     void effekseersProjectHasANodeALayer()
     {
         Sheet sheet(Engine::Effekseer);

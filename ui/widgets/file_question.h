@@ -20,8 +20,8 @@ struct FileQuestion {
     QString start; ///< the folder, or the file, that is offered
     QString filter; ///< "Presets (*.json);;All files (*)"; empty: all files
     bool mayReplace = false; ///< a file that is there is not asked about: whoever asks does it later
-    QString ending; ///< that a saved file gets where its name has another or none, without the dot; empty: names stay
-                    ///< as they are
+    QString ending{}; ///< that a saved file gets where its name has another or none, without the dot; empty: names stay
+                      ///< as they are
 };
 
 /// Asks a person for the name of a file.

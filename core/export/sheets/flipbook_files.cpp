@@ -73,7 +73,10 @@ std::vector<std::filesystem::path> sharedFilesOf(
     }
     std::vector<std::filesystem::path> pictures;
     for (const FlipbookOptions& sheet : sheets) {
-        pictures.push_back(picturesOf(sheet).front());
+        const std::vector<std::filesystem::path> drawn = picturesOf(sheet);
+        if (!drawn.empty()) { // no pass: the check refuses that, after names were asked for
+            pictures.push_back(drawn.front());
+        }
     }
     return engineFilesOf(options.engine, withEnding(options.output, fileEnding(options.format)), pictures);
 }
@@ -94,7 +97,7 @@ std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)
 std::vector<std::filesystem::path> filesOfSheet(const FlipbookOptions& options)
 {
     std::vector<std::filesystem::path> files = picturesOf(options);
-    if (!isOfShares(options)) {
+    if (!files.empty() && !isOfShares(options)) {
         const std::vector<std::filesystem::path> more = engineFilesOf(options.engine, files.front(), files);
         files.insert(files.end(), more.begin(), more.end());
     }
