@@ -1,10 +1,12 @@
 #include "app/cli/command.h"
 #include "app/cli/file_choice.h"
+#include "app/cli/kept_apart.h"
 #include "app/cli/manifest_option.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
 #include "core/export/data/air_file.h"
+#include "core/export/jobs/jobs.h"
 #include "core/export/manifest/recorded.h"
 
 #include <memory>
@@ -50,13 +52,19 @@ std::string boxOf(const AirGrid& grid)
     return text.str();
 }
 
-Status writeOne(const AirOptions& options, const NamedPreset& named)
+Status writeOne(const AirOptions& options, const NamedPreset& named, JobFiles& writtenBefore)
 {
     Result<AirSequenceOptions> sequence = sequenceOf(options, named);
     if (!sequence) {
         return sequence.error();
     }
     const std::string_view ending = fileEnding(sequence.value().format);
+    const std::filesystem::path& output = sequence.value().output;
+    const NumberedFiles files{output, sequence.value().frames, ending, {}};
+    const std::filesystem::path manifest = options.manifest.fileFor(output);
+    if (Status status = keepApart(named.name, files, manifest, writtenBefore); !status) {
+        return status;
+    }
     AirGrid grid;
     const auto write = [&](const FrameSink& written) -> Status {
         sequence.value().written = written;
@@ -67,10 +75,7 @@ Status writeOne(const AirOptions& options, const NamedPreset& named)
         return box ? Status(Done{}) : box.error();
     };
     const ManifestJob job{"air", {{"format", std::string(ending.substr(1))}}, named.preset.scene};
-    const std::filesystem::path& output = sequence.value().output;
-    if (Status status =
-            recordNumbered(job, options.manifest.fileFor(output), {output, sequence.value().frames, ending, {}}, write);
-        !status) {
+    if (Status status = recordNumbered(job, manifest, files, write); !status) {
         return status;
     }
     tellWritten(output, sequence.value().frames, ending);
@@ -102,8 +107,9 @@ void addAir(CLI::App& program, Action& action)
                     "  fumage-cli air mushroom-cloud --frames 60 --output mushroom.fga");
     command->callback([options, &action] {
         action = [options] {
+            JobFiles written;
             return options->effect.forEach(
-                options->output, [&](const NamedPreset& named) { return writeOne(*options, named); });
+                options->output, [&](const NamedPreset& named) { return writeOne(*options, named, written); });
         };
     });
 }

@@ -14,7 +14,7 @@
 #include "core/preset/picture_file.h"
 #include "core/preset/preset_file.h"
 
-#include <set>
+#include <map>
 
 namespace fumage::cli {
 
@@ -135,15 +135,21 @@ Error optionError(std::string option, Error error)
     return error;
 }
 
-/// Presets of one name in different folders would be written to the same files.
+/// Presets of one name in different folders would be written to the same files; so would "Fire" and "fire" on file
+/// systems that ignore case.
 Status refuseSameNames(const std::vector<NamedPreset>& presets)
 {
-    std::set<std::string> names;
+    std::map<std::string, std::string> names; // by their small letters
     for (const NamedPreset& named : presets) {
-        if (!names.insert(named.name).second) {
+        const auto [at, isNew] = names.emplace(inSmallLetters(named.name), named.name);
+        if (!isNew) {
             return Error{ErrorCode::OutOfRange,
-                makeMessage(
-                    "two presets are called %1, and one's files would overwrite the other's", inQuotes(named.name)),
+                at->second == named.name
+                    ? makeMessage(
+                        "two presets are called %1, and one's files would overwrite the other's", inQuotes(named.name))
+                    : makeMessage("the names %1 and %2 are the same where case is ignored, and one's files would "
+                                  "overwrite the other's",
+                        inQuotes(at->second), inQuotes(named.name)),
                 named.file.string(), makeMessage("Write them to different folders")};
         }
     }

@@ -1,12 +1,14 @@
 #include "app/cli/command.h"
 #include "app/cli/export_arguments.h"
 #include "app/cli/file_choice.h"
+#include "app/cli/kept_apart.h"
 #include "app/cli/manifest_option.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/data/particle_dump.h"
+#include "core/export/jobs/jobs.h"
 #include "core/export/plan.h"
 
 #include <memory>
@@ -36,9 +38,15 @@ Status dumpToStandardOutput(
     return text ? print(text.value()) : Status(text.error());
 }
 
-Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, ParticleSequenceOptions sequence)
+Status dumpToFiles(
+    const DumpOptions& options, const NamedPreset& named, ParticleSequenceOptions sequence, JobFiles& writtenBefore)
 {
     const std::string_view ending = fileEnding(sequence.format);
+    const NumberedFiles files{sequence.output, sequence.frames, ending, {}};
+    const std::filesystem::path manifest = options.manifest.fileFor(sequence.output);
+    if (Status status = keepApart(named.name, files, manifest, writtenBefore); !status) {
+        return status;
+    }
     const ManifestJob job{"particles",
         {{"format", std::string(ending.substr(1))}, {"up", std::string(options.options.textOf("up"))}},
         named.preset.scene};
@@ -47,16 +55,14 @@ Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, Particl
         ProgressBar bar("Writing");
         return dumpSequence(named.preset.scene, sequence, bar.task());
     };
-    if (Status status = recordNumbered(
-            job, options.manifest.fileFor(sequence.output), {sequence.output, sequence.frames, ending, {}}, write);
-        !status) {
+    if (Status status = recordNumbered(job, manifest, files, write); !status) {
         return status;
     }
     tellWritten(sequence.output, sequence.frames, ending);
     return Done{};
 }
 
-Status dumpOne(const DumpOptions& options, const NamedPreset& named)
+Status dumpOne(const DumpOptions& options, const NamedPreset& named, JobFiles& writtenBefore)
 {
     ParticleSequenceOptions sequence;
     const Result<FrameRange> frames = oneFrameFor(options.frames, named);
@@ -76,12 +82,14 @@ Status dumpOne(const DumpOptions& options, const NamedPreset& named)
     sequence.output = choice.value().file;
     sequence.format = choice.value().format;
     sequence.source = named.file;
-    return withinMemory([&] { return dumpToFiles(options, named, sequence); });
+    return withinMemory([&] { return dumpToFiles(options, named, sequence, writtenBefore); });
 }
 
 Status dump(const DumpOptions& options)
 {
-    return options.effect.forEach(options.output, [&](const NamedPreset& named) { return dumpOne(options, named); });
+    JobFiles written;
+    return options.effect.forEach(
+        options.output, [&](const NamedPreset& named) { return dumpOne(options, named, written); });
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/export/farm/chunk.h"
 #include "core/export/farm/farm.h"
+#include "core/export/jobs/jobs.h"
 #include "core/export/output_name.h"
 #include "core/export/pass_frames.h"
 #include "core/export/sheets/flipbook_check.h"
@@ -143,7 +144,20 @@ Status writePreset(const FarmJob& job, const NamedPreset& named, const Scene& se
     return writePresetFile(file, preset);
 }
 
-Status writeOne(const FarmOptions& options, const NamedPreset& named)
+/// Takes the preset's file, the farm's and the frames in among those of the presets before.
+Status keepApart(const FarmJob& job, const FarmFiles& made, std::string_view ending, JobFiles& writtenBefore)
+{
+    std::vector<std::filesystem::path> files{job.folder / pathFrom(presetFileOf(job))};
+    for (const FarmFile& file : made.files) {
+        files.push_back(file.path);
+    }
+    for (int i = 0; i < job.frames.count(); ++i) {
+        files.push_back(framePath(job.folder / pathFrom(job.output), job.frames, ending, job.frames.at(i)));
+    }
+    return writtenBefore.add(job.name, files);
+}
+
+Status writeOne(const FarmOptions& options, const NamedPreset& named, JobFiles& writtenBefore)
 {
     const Result<PictureJob> asked = planOf(options, named);
     if (!asked) {
@@ -160,6 +174,9 @@ Status writeOne(const FarmOptions& options, const NamedPreset& named)
     const Result<FarmFiles> made = makeFarmFiles(*farm, job);
     if (!made) {
         return made.error();
+    }
+    if (Status status = keepApart(job, made.value(), fileEnding(plan.format), writtenBefore); !status) {
+        return status;
     }
     if (Status status = writePreset(job, named, seen.value()); !status) {
         return status;
@@ -213,8 +230,9 @@ void addFarm(CLI::App& program, Action& action)
                     "  fumage-cli farm my.json --for openjd --chunk 8 --output frames/");
     command->callback([options, &action] {
         action = [options] {
+            JobFiles written;
             return options->picture.effect.forEach(
-                options->picture.output, [&](const NamedPreset& named) { return writeOne(*options, named); });
+                options->picture.output, [&](const NamedPreset& named) { return writeOne(*options, named, written); });
         };
     });
 }

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/kept_apart.h"
 #include "app/cli/optimise.h"
 #include "app/cli/picture_options.h"
 
@@ -119,7 +120,7 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
     if (Status status = tellSize(job.value()); !status) {
         return status;
     }
-    if (Status status = keepApart(named.name, job.value(), written); !status) {
+    if (Status status = keepApart(named.name, job.value().scene, job.value().plan, written); !status) {
         return status;
     }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());

@@ -5,7 +5,6 @@
 
 #include "core/system/path.h"
 #include "core/base/text.h"
-#include "core/export/jobs/jobs.h"
 #include "core/export/output_name.h"
 #include "core/export/remarks.h"
 
@@ -156,13 +155,6 @@ void warnOf(const Scene& scene, const ExportPlan& plan)
     for (const Message& remark : remarksOn(scene, plan)) {
         warn(remark.text());
     }
-}
-
-Status keepApart(const std::string& preset, const PictureJob& job, JobFiles& written)
-{
-    ExportJob one{preset, {}, job.plan};
-    one.preset.scene = job.scene;
-    return written.add(one);
 }
 
 Result<std::optional<Flipbook>> writePictures(const PictureJob& job)

@@ -10,10 +10,6 @@
 #include <functional>
 #include <optional>
 
-namespace fumage {
-class JobFiles;
-}
-
 namespace fumage::cli {
 
 /// "640x360", or "512" for both. @return whether it is two numbers from 1 to most
@@ -65,11 +61,6 @@ struct PictureOptions {
 
 /// Says what an export does otherwise than one may expect of it; see remarksOn().
 void warnOf(const Scene& scene, const ExportPlan& plan);
-
-/// Takes the files of a preset in among those that the command writes.
-/// @param written those of the presets before
-/// @error WouldOverwrite where one of these writes the same: "fire" its fire_motion.png, and "fire_motion" its colour
-[[nodiscard]] Status keepApart(const std::string& preset, const PictureJob& job, JobFiles& written);
 
 /// Does a job with a bar of progress that can be interrupted, and says what was written.
 /// @return the flipbook, where that is what was made

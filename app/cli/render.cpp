@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/jobs.h"
+#include "app/cli/kept_apart.h"
 #include "app/cli/picture_options.h"
 
 #include "core/export/jobs/jobs.h"
@@ -70,7 +71,7 @@ Status renderOne(const RenderArguments& arguments, const NamedPreset& named, Job
             return status;
         }
     }
-    if (Status status = keepApart(named.name, job.value(), written); !status) {
+    if (Status status = keepApart(named.name, job.value().scene, job.value().plan, written); !status) {
         return status;
     }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());

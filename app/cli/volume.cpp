@@ -1,10 +1,12 @@
 #include "app/cli/command.h"
 #include "app/cli/export_arguments.h"
+#include "app/cli/kept_apart.h"
 #include "app/cli/manifest_option.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "core/export/jobs/jobs.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/output_name.h"
 #include "core/export/data/vdb_file.h"
@@ -24,7 +26,7 @@ struct VolumeArguments {
     ManifestOption manifest;
 };
 
-Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
+Status writeOne(const VolumeArguments& arguments, const NamedPreset& named, JobFiles& writtenBefore)
 {
     static constexpr std::array kEndings{kVdbEnding};
     VolumeSequenceOptions options;
@@ -48,6 +50,11 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
     options.up = plan.up.value_or(options.up);
     options.density = plan.volume.density;
     options.source = named.file;
+    const NumberedFiles files{options.output, options.frames, kEndings.front(), {}};
+    const std::filesystem::path manifest = arguments.manifest.fileFor(options.output);
+    if (Status status = keepApart(named.name, files, manifest, writtenBefore); !status) {
+        return status;
+    }
     float voxel = 0.0F;
     {
         ProgressBar bar("Writing");
@@ -64,9 +71,7 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
             voxel = used ? used.value() : voxel;
             return used ? Status(Done{}) : Status(used.error());
         };
-        if (Status status = recordNumbered(job, arguments.manifest.fileFor(options.output),
-                {options.output, options.frames, kEndings.front(), {}}, write);
-            !status) {
+        if (Status status = recordNumbered(job, manifest, files, write); !status) {
             return status;
         }
     }
@@ -100,8 +105,9 @@ void addVolume(CLI::App& program, Action& action)
                     "  fumage-cli volume mushroom-cloud --frames 0-119 --cells 128 --output vdb/mushroom_####.vdb");
     command->callback([arguments, &action] {
         action = [arguments] {
+            JobFiles written;
             return arguments->effect.forEach(
-                arguments->output, [&](const NamedPreset& named) { return writeOne(*arguments, named); });
+                arguments->output, [&](const NamedPreset& named) { return writeOne(*arguments, named, written); });
         };
     });
 }

@@ -302,6 +302,11 @@ private slots:
         const Outcome outcome = runIn(folder, {"bake-noise", "a/mine.json", "b/mine.json", "-o", "out/"});
         QCOMPARE(outcome.code, 3);
         QVERIFY2(outcome.error.contains("two presets are called \"mine\""), outcome.error.constData());
+        // Nor where a file system ignores case.
+        QVERIFY(QFile::rename(folder.filePath("b/mine.json"), folder.filePath("b/Mine.json")));
+        const Outcome cases = runIn(folder, {"bake-noise", "a/mine.json", "b/Mine.json", "-o", "out/"});
+        QCOMPARE(cases.code, 3);
+        QVERIFY2(cases.error.contains("\"mine\" and \"Mine\" are the same"), cases.error.constData());
         QVERIFY(!QDir(folder.filePath("out")).exists());
     }
 

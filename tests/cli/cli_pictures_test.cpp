@@ -205,6 +205,39 @@ private slots:
         QCOMPARE(namesIn(folder, "out"), (QStringList{"fire.flipbook.json", "fire.png", "fire_motion.png"}));
     }
 
+    /// A preset's name may say where the number goes, and --manifest may name one for all.
+    void dataOfPresetsIsKeptApartAsPicturesAre_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("file");
+        QTest::newRow("particles") << QStringList{"dump", "--format", "csv"} << "fire_03.csv";
+        QTest::newRow("volumes") << QStringList{"volume", "--cells", "8"} << "fire_03.vdb";
+        QTest::newRow("air") << QStringList{"air"} << "fire_03.fga";
+    }
+    void dataOfPresetsIsKeptApartAsPicturesAre()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, file);
+        const QTemporaryDir folder;
+        for (const char* name : {"/fire_##.json", "/fire_03.json", "/other.json"}) {
+            Preset preset;
+            preset.scene.air.enabled = true;
+            QVERIFY(writePresetFile(folder.path().toStdString() + name, preset).ok());
+        }
+        arguments += QStringList{"--frame", "3", "-o", "out/"} + kFew;
+        const Outcome numbered = runIn(folder, arguments + QStringList{"fire_##.json", "fire_03.json"});
+        QCOMPARE(numbered.code, 3);
+        QVERIFY2(numbered.error.contains("\"fire_03\" would write over a file of \"fire_##\""), numbered.error);
+        QCOMPARE(namesIn(folder, "out"), QStringList{file});
+        const Outcome recorded =
+            runIn(folder, arguments + QStringList{"fire_03.json", "other.json", "--manifest=out/all.json"});
+        QCOMPARE(recorded.code, 3);
+        QVERIFY2(recorded.error.contains("\"other\" would write over a file of \"fire_03\""), recorded.error);
+        QCOMPARE(namesIn(folder, "out"), (QStringList{"all.3-3.manifest.json", file}));
+        const Outcome apart = runIn(folder, arguments + QStringList{"fire_03.json", "other.json", "--manifest"});
+        QVERIFY2(apart.code == 0, apart.error);
+    }
+
     void jobsTakeWhatThePictureShows()
     {
         const std::string list =

@@ -4,6 +4,7 @@
 #include "tests/cli/refusals.h"
 #include "tests/helpers.h"
 
+#include "core/preset/preset_file.h"
 #include "core/system/file.h"
 
 #include <QJsonArray>
@@ -217,6 +218,21 @@ private slots:
         QVERIFY2(chosen.code == 0, chosen.error);
         const int perTask = chosen.error.trimmed().split(' ').last().toInt();
         QVERIFY2(perTask >= 1 && perTask <= 150, chosen.error);
+    }
+
+    /// Both would be the job "fire": what stands for the number is no part of its name.
+    void farmsKeepTheJobsOfPresetsApart()
+    {
+        const QTemporaryDir folder;
+        for (const char* name : {"/fire.json", "/fire_##.json"}) {
+            QVERIFY(writePresetFile(folder.path().toStdString() + name, Preset()).ok());
+        }
+        const Outcome made =
+            runIn(folder, {"farm", "fire.json", "fire_##.json", "-f", "0-3", "--for", "slurm", "-o", "out/"});
+        QCOMPARE(made.code, 3);
+        QVERIFY2(made.error.contains("would write over a file of \"fire\""), made.error);
+        QCOMPARE(QDir(folder.filePath("out")).entryList(QDir::Files, QDir::Name),
+            (QStringList{"fire.fumage.json", "fire.slurm.sh"}));
     }
 
     void aFarmNeverOverwritesThePresetThatItIsMadeOf()

@@ -343,6 +343,7 @@ private slots:
         row("by another way", ExportKind::Sequence, "sub/../a_##.png", true);
         row("through a link", ExportKind::Sequence, "link/a_##.png", true);
         row("another folder", ExportKind::Sequence, "sub/a_##.png", false);
+        row("in capitals", ExportKind::Sequence, "A_##.PNG", true); // for file systems that ignore case
         row("other digits", ExportKind::Sequence, "a_###.png", false);
         row("a flipbook of that name", ExportKind::Flipbook, "a_02.png", true);
         row("noise of that name", ExportKind::NoiseTexture, "a_08.png", true);
@@ -365,6 +366,32 @@ private slots:
             QVERIFY2(status.error().text().find("\"second\" would write over a file of \"first\"") != std::string::npos,
                 status.error().text().c_str());
         }
+    }
+
+    /// The system says of folders that are there whether they are the same; of others nobody can.
+    void foldersMeetWhereTheSystemDoesNotTellThemApart()
+    {
+        const std::vector<ExportJob> jobs{
+            jobFor(ExportKind::Picture, at("new/a.png")), jobFor(ExportKind::Picture, at("New/a.png"))};
+        QCOMPARE(checkJobs(jobs).error().code, ErrorCode::WouldOverwrite);
+        QVERIFY(QDir(m_folder->path()).mkdir("new"));
+        QCOMPARE(checkJobs(jobs).error().code, ErrorCode::WouldOverwrite);
+        const bool areTwo = QDir(m_folder->path()).mkdir("New");
+        QCOMPARE(checkJobs(jobs).ok(), areTwo);
+    }
+
+    void filesAreKeptApartByName()
+    {
+        JobFiles files;
+        const std::vector<std::filesystem::path> some{at("a.csv"), at("a.manifest.json")};
+        const std::vector<std::filesystem::path> others{at("b.csv"), at("sub/../A.csv")};
+        QVERIFY(files.add("first", some).ok());
+        const Status status = files.add("second", others);
+        QVERIFY(!status.ok());
+        QVERIFY2(status.error().text().find("\"second\" would write over a file of \"first\"") != std::string::npos,
+            status.error().text().c_str());
+        QVERIFY(!files.writerOf(at("b.csv"))); // it stays out
+        QVERIFY(files.writerOf(at("A.csv")) == std::optional(std::size_t{0}));
     }
 
     void noTwoJobsWriteTheSameManifest()

@@ -3,6 +3,8 @@
 
 #include "core/base/text.h"
 
+#include <algorithm>
+
 namespace fumage {
 
 namespace {
@@ -17,19 +19,62 @@ std::filesystem::path placeOf(const std::filesystem::path& folder)
     return unknown ? folder.lexically_normal() : whole;
 }
 
-/// What a job writes, by where it lies. Files of a plan lie in one folder; its manifest may lie above them.
-std::vector<std::string> placesOf(const ExportJob& job)
+/// A folder, and what stands for it where files are compared.
+struct Folder {
+    std::filesystem::path place;
+    std::string key; ///< what is not there yet in small letters
+};
+
+Folder folderAt(const std::filesystem::path& folder)
 {
-    const ExportPlan& plan = job.plan;
-    std::vector<std::string> places;
-    const std::filesystem::path folder = placeOf(plan.output.parent_path());
-    for (const std::filesystem::path& file : filesOf(job.preset.scene, plan)) {
-        places.push_back((folder / file.filename()).string());
+    Folder found{placeOf(folder), {}};
+    std::error_code unknown;
+    std::filesystem::path there = found.place;
+    while (!std::filesystem::exists(there, unknown) && there.has_relative_path()) {
+        there = there.parent_path();
     }
-    if (const std::filesystem::path manifest = manifestOf(plan); !manifest.empty()) {
-        places.push_back((placeOf(manifest.parent_path()) / manifest.filename()).string());
+    found.key = found.place.string();
+    const std::size_t known = std::min(there.string().size(), found.key.size());
+    found.key = found.key.substr(0, known) + inSmallLetters(found.key.substr(known)) + '/';
+    return found;
+}
+
+/// A file by where it lies.
+struct Place {
+    std::string file;
+    std::string key; ///< what it is compared by
+};
+
+Place placeIn(const Folder& folder, const std::filesystem::path& name)
+{
+    return {(folder.place / name).string(), folder.key + inSmallLetters(name.string())};
+}
+
+/// @param files most of them after others of their folder, which is looked for once
+std::vector<Place> placesOf(std::span<const std::filesystem::path> files)
+{
+    std::vector<Place> places;
+    places.reserve(files.size());
+    std::filesystem::path named;
+    Folder folder;
+    for (const std::filesystem::path& file : files) {
+        if (places.empty() || file.parent_path() != named) {
+            named = file.parent_path();
+            folder = folderAt(named);
+        }
+        places.push_back(placeIn(folder, file.filename()));
     }
     return places;
+}
+
+/// What a job writes, its manifest among it.
+std::vector<std::filesystem::path> allFilesOf(const ExportJob& job)
+{
+    std::vector<std::filesystem::path> files = filesOf(job.preset.scene, job.plan);
+    if (std::filesystem::path manifest = manifestOf(job.plan); !manifest.empty()) {
+        files.push_back(std::move(manifest));
+    }
+    return files;
 }
 
 } // namespace
@@ -48,16 +93,20 @@ Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task)
 
 Status JobFiles::check(const ExportJob& job) const
 {
-    const std::vector<std::string> files = placesOf(job);
+    return check(job.name, allFilesOf(job));
+}
+
+Status JobFiles::check(const std::string& name, std::span<const std::filesystem::path> files) const
+{
     if (files.size() + m_writers.size() > kMaxJobFiles) {
         return Error{ErrorCode::TooLarge, makeMessage("the jobs write more than %1 files", kMaxJobFiles),
-            inQuotes(job.name), makeMessage("Make two lists of them")};
+            inQuotes(name), makeMessage("Make two lists of them")};
     }
-    for (const std::string& file : files) {
-        if (const auto found = m_writers.find(file); found != m_writers.end()) {
+    for (const Place& place : placesOf(files)) {
+        if (const auto found = m_writers.find(place.key); found != m_writers.end()) {
             return Error{ErrorCode::WouldOverwrite,
-                makeMessage("%1 would write over a file of %2", inQuotes(job.name), inQuotes(m_names[found->second])),
-                file, makeMessage("Choose another name")};
+                makeMessage("%1 would write over a file of %2", inQuotes(name), inQuotes(m_names[found->second])),
+                place.file, makeMessage("Choose another name")};
         }
     }
     return Done{};
@@ -65,19 +114,24 @@ Status JobFiles::check(const ExportJob& job) const
 
 Status JobFiles::add(const ExportJob& job)
 {
-    if (Status status = check(job); !status) {
+    return add(job.name, allFilesOf(job));
+}
+
+Status JobFiles::add(const std::string& name, std::span<const std::filesystem::path> files)
+{
+    if (Status status = check(name, files); !status) {
         return status;
     }
-    for (std::string& file : placesOf(job)) {
-        m_writers.emplace(std::move(file), m_names.size());
+    for (Place& place : placesOf(files)) {
+        m_writers.emplace(std::move(place.key), m_names.size());
     }
-    m_names.push_back(job.name);
+    m_names.push_back(name);
     return Done{};
 }
 
 std::optional<std::size_t> JobFiles::writerOf(const std::filesystem::path& file) const
 {
-    const auto found = m_writers.find((placeOf(file.parent_path()) / file.filename()).string());
+    const auto found = m_writers.find(placeIn(folderAt(file.parent_path()), file.filename()).key);
     return found == m_writers.end() ? std::nullopt : std::optional(found->second);
 }
 

@@ -32,20 +32,26 @@ inline constexpr std::size_t kMaxJobFiles = std::size_t{1} << 20U;
 [[nodiscard]] Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task = {});
 
 /// The files that jobs write, manifests among them, to find those that one would write over another's. Folders are the
-/// same by whatever way they are named.
+/// same by whatever way they are named. Names in which A to Z are small or not are the same, as for file systems that
+/// ignore case; of folders that are there the system knows.
 class JobFiles {
 public:
     /// Takes the files of a job in. O(files).
     /// @error WouldOverwrite where a job before writes one of them: it stays out then; TooLarge beyond kMaxJobFiles
     [[nodiscard]] Status add(const ExportJob& job);
+    /// The same of files that are named themselves.
+    /// @param name of what they are written by
+    [[nodiscard]] Status add(const std::string& name, std::span<const std::filesystem::path> files);
     /// Whether add() would take a job in.
     [[nodiscard]] Status check(const ExportJob& job) const;
     /// @return which of the jobs that were taken in writes a file, counted from 0; none: nobody does
     [[nodiscard]] std::optional<std::size_t> writerOf(const std::filesystem::path& file) const;
 
 private:
+    [[nodiscard]] Status check(const std::string& name, std::span<const std::filesystem::path> files) const;
+
     std::vector<std::string> m_names; ///< of the jobs
-    std::unordered_map<std::string, std::size_t> m_writers; ///< which job, by the path of its file
+    std::unordered_map<std::string, std::size_t> m_writers; ///< which job, by what its file is compared by
 };
 
 /// Whether the jobs of a list leave one another alone: no two write the same file, and none the preset's file of
