@@ -1,0 +1,17 @@
+# fumage_pkg_config(<path>): writes fumage.pc. Folders below the prefix are found from where the file lies, so that it is right wherever the
+# installation goes; folders that are absolute, as Nix has them, stay where they are.
+function(fumage_pkg_config path)
+    if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+        set(FUMAGE_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
+    else()
+        file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" /)
+        set(FUMAGE_PC_PREFIX "\${pcfiledir}/${up}")
+    endif()
+    foreach(folder IN ITEMS LIBDIR INCLUDEDIR DATADIR)
+        set(FUMAGE_PC_${folder} "${CMAKE_INSTALL_${folder}}")
+        if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_${folder}}")
+            set(FUMAGE_PC_${folder} "\${prefix}/${CMAKE_INSTALL_${folder}}")
+        endif()
+    endforeach()
+    configure_file("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fumage.pc.in" "${path}" @ONLY)
+endfunction()
