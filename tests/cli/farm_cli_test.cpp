@@ -58,6 +58,23 @@ private slots:
         QCOMPARE(runIn(folder, {"verify", ".", "--render", "1", "--frames", "1"}).code, 2);
     }
 
+    void verifySaysWhatCannotBeRenderedAgain()
+    {
+        const QTemporaryDir folder;
+        QCOMPARE(
+            runIn(folder, QStringList{"dump", "thesis-2012", "-f", "2", "-o", "p.csv", "--manifest"} + kSmall.mid(2))
+                .code,
+            0);
+        QCOMPARE(runIn(folder, {"verify", "."}).code, 0);
+        const Outcome particles = runIn(folder, {"verify", ".", "--render", "1-2"});
+        QVERIFY2(particles.code == 3 && particles.error.contains("cannot be rendered again"), particles.error);
+        const Outcome others = runIn(folder, {"verify", ".", "--render", "3-4"});
+        QVERIFY2(others.code == 3 && others.error.contains("name none of the frames 3 to 4"), others.error);
+        QCOMPARE(runIn(folder, renderOf("0-1", {"--manifest"})).code, 0);
+        const Outcome both = runIn(folder, {"verify", ".", "--render", "0-2"});
+        QVERIFY2(both.code == 0 && both.out.contains("2 of 2"), both.error);
+    }
+
     void verifyWithoutAManifestSaysHowToWriteOne()
     {
         const QTemporaryDir folder;

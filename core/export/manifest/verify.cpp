@@ -145,6 +145,15 @@ Status renderFlipbookJob(
     return Done{};
 }
 
+/// Why files of wanted frames are not rendered again: of a job that is neither frames nor a flipbook.
+std::optional<Error> refusalOf(const Manifest& job, const FrameRange& wanted)
+{
+    const bool hasWanted = std::ranges::any_of(
+        job.files, [&](const ManifestEntry& entry) { return entry.frame && wanted.has(*entry.frame); });
+    const Result<SequenceOptions> options = sequenceOf(job.job);
+    return hasWanted && !options ? std::optional(options.error()) : std::nullopt;
+}
+
 /// Renders the frames of a job that are wanted.
 Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Task& task)
 {
@@ -257,16 +266,23 @@ Result<std::vector<CheckedFile>> checkFiles(
 Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const FrameRange& frames, const Task& task)
 {
     std::vector<CheckedFile> checked;
+    std::optional<Error> refusal;
     for (const auto& [hash, job] : jobsOf(set)) {
         Status status = Done{};
         if (job.job.kind == kFramesKind) {
             status = renderFrames(job, frames, checked, task);
         } else if (job.job.kind == kFlipbookKind) {
             status = renderFlipbookJob(job, frames, checked, task);
+        } else {
+            refusal = refusal ? refusal : refusalOf(job, frames);
         }
         if (!status) {
             return status.error();
         }
+    }
+    if (checked.empty() && refusal) {
+        refusal->place = set.folder.string();
+        return *refusal;
     }
     if (checked.empty()) {
         return Error{ErrorCode::OutOfRange,

@@ -58,8 +58,8 @@ struct ManifestSet {
 /// Renders frames again, and holds what this machine makes of them against the manifests; flipbooks that show one of
 /// them as a whole. Files are not looked at.
 /// @return the frames of the manifests that lie in the range, and the files of flipbooks
-/// @error  OutOfRange where none does; WrongType where a manifest does not say how; those of encodeFrames() and
-/// encodeFlipbook()
+/// @error  OutOfRange where none does; WrongType where a manifest does not say how, or where all that does is neither
+/// frames nor a flipbook; those of encodeFrames() and encodeFlipbook()
 [[nodiscard]] Result<std::vector<CheckedFile>> renderAgain(
     const ManifestSet& set, const FrameRange& frames, const Task& task = {});
 
