@@ -23,8 +23,8 @@ Status checkChange(const Effect& now, const Effect& wanted)
         const bool matters =
             parameter.group() != "air" || now.air.enabled || &parameter == &knownParameter("air.enabled");
         if (parameter.live == Live::Fixed && matters && parameter.get(now) != parameter.get(wanted)) {
-            return Error{ErrorCode::OutOfRange, makeMessage("%1 is fixed while the simulation runs", parameter.key),
-                std::string(parameter.key), makeMessage("Keep it, or start a new simulation")};
+            return Error{ErrorCode::OutOfRange, makeMessage("%1 is fixed while the simulation runs", parameter.key), {},
+                makeMessage("Keep it, or start a new simulation")};
         }
     }
     return Done{};

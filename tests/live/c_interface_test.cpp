@@ -84,6 +84,7 @@ private slots:
         QVERIFY2(fumage_error(smoke.get()) == nullptr, fumage_error(smoke.get()));
         QVERIFY(fumage_slots(smoke.get()) < 600);
         QCOMPARE(fumage_set(smoke.get(), "air.resolution", "24"), -1); // it has begun
+        QCOMPARE(QByteArray(fumage_error(smoke.get())).count("air.resolution"), 1);
         QCOMPARE(fumage_step(smoke.get(), 0.1) > 0, true);
         QCOMPARE(fumage_set(smoke.get(), "air.resolution", "16"), 0); // as it is
         const char* const wrong[] = {"air.resolutin=16", nullptr};
