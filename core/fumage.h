@@ -178,7 +178,8 @@ FUMAGE_API int fumage_layers(const fumage_smoke* smoke);
 FUMAGE_API const char* fumage_layer_name(fumage_smoke* smoke, int layer);
 
 /* The number, from 0, of the layer of a name, or of a number that is counted from 1 in a text ("2" is layer 1), as in
- * the keys of fumage_set(). -1 where there is none, or several have the name. */
+ * the keys of fumage_set(). Where no layer has the name, the one whose name it is but for capital letters, A to Z. -1
+ * where there is none, or several have the name. */
 FUMAGE_API int fumage_find_layer(fumage_smoke* smoke, const char* name);
 
 /* As fumage_set_emitter() and fumage_place_emitter(), of one layer alone. A layer that is born on another takes of it

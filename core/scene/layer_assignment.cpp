@@ -3,12 +3,47 @@
 #include "core/base/text.h"
 #include "core/effect/assignment.h"
 
+#include <algorithm>
+
 namespace fumage {
+
+namespace {
+
+/// The layers whose name it is, whether A to Z are small or not.
+std::vector<std::size_t> layersLike(const Scene& scene, std::string_view name)
+{
+    const std::string small = inSmallLetters(name);
+    std::vector<std::size_t> layers;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        if (inSmallLetters(scene.layers[i].name) == small) {
+            layers.push_back(i);
+        }
+    }
+    return layers;
+}
+
+/// @param layers two or more
+Error severalNamed(const Scene& scene, std::string_view name, const std::vector<std::size_t>& layers)
+{
+    std::string names;
+    for (const std::size_t layer : layers) {
+        names +=
+            (names.empty() ? "" : ", ") + inQuotes(scene.layers[layer].name) + " (" + std::to_string(layer + 1) + ")";
+    }
+    return {ErrorCode::UnknownName, makeMessage("there is no one layer %1, but %2", inQuotes(name), names), {},
+        makeMessage("Write the name as it is, or where they share it the number")};
+}
+
+} // namespace
 
 Result<std::size_t> layerNamed(const Scene& scene, std::string_view name)
 {
     if (const std::optional<std::size_t> layer = findLayer(scene, name)) {
         return *layer;
+    }
+    const std::vector<std::size_t> like = layersLike(scene, name);
+    if (!like.empty()) {
+        return like.size() == 1 ? Result<std::size_t>(like.front()) : severalNamed(scene, name, like);
     }
     std::string names;
     for (const Layer& layer : scene.layers) {
@@ -24,6 +59,10 @@ namespace {
 template <class Visit>
 Status forNamed(const Scene& scene, std::string_view names, const Visit& visit)
 {
+    if (trimmed(names).empty()) {
+        return Error{ErrorCode::UnknownName, makeMessage("no layer is named"), {},
+            makeMessage("Name layers, or leave the option out")};
+    }
     while (true) {
         const std::size_t comma = names.find(',');
         const Result<std::size_t> layer = layerNamed(scene, trimmed(names.substr(0, comma)));
@@ -38,11 +77,27 @@ Status forNamed(const Scene& scene, std::string_view names, const Visit& visit)
     }
 }
 
+/// The name of a layer as the scene has it; one that no layer has as it is.
+/// @error UnknownName where several are called so but for their capital letters
+Result<std::string> nameInScene(const Scene& scene, std::string_view name)
+{
+    const std::vector<std::size_t> like = layersLike(scene, name);
+    const bool isThere = std::ranges::any_of(scene.layers, [&](const Layer& each) { return each.name == name; });
+    if (name.empty() || isThere || like.empty()) {
+        return std::string(name);
+    }
+    return like.size() == 1 ? Result<std::string>(scene.layers[like.front()].name) : severalNamed(scene, name, like);
+}
+
 /// Lets a layer be born on another. Nothing is changed where that cannot be.
 Result<bool> setParent(Scene& scene, std::size_t layer, std::string_view name)
 {
+    Result<std::string> parent = nameInScene(scene, trimmed(name));
+    if (!parent) {
+        return parent.error();
+    }
     Scene changed = scene;
-    changed.layers[layer].from = trimmed(name);
+    changed.layers[layer].from = std::move(parent).value();
     if (Status status = checkParent(changed, layer); !status) {
         return status.error();
     }

@@ -7,9 +7,9 @@
 
 namespace fumage {
 
-/// The layer that a name or a number from 1 stands for, as findLayer(), with the names that there are where there is
-/// none.
-/// @error UnknownName where there is no such layer, or several have the name
+/// The layer that a name or a number from 1 stands for, as findLayer(). Where there is none, the one layer whose name it
+/// is but for A to Z being small or not.
+/// @error UnknownName where there is no such layer, with the names that there are, or several have the name
 [[nodiscard]] Result<std::size_t> layerNamed(const Scene& scene, std::string_view name);
 
 /// An assignment and the layer that it is for.
@@ -24,15 +24,15 @@ struct LayerAssignment {
 [[nodiscard]] Result<LayerAssignment> layerAssignment(const Scene& scene, std::string_view text);
 
 /// Parses "key=value" or "layer/key=value" and applies it, as --set does. What all layers share is set in the scene,
-/// whatever layer is named. "layer/from=name" lets a layer be born on another's particles, "layer/from=" on its
-/// emitter.
+/// whatever layer is named. "layer/from=name" lets a layer be born on another's particles, whose
+/// name is looked for in the same way, "layer/from=" on its emitter.
 /// @return whether the value had to be clamped
 /// @error that of layerAssignment(), those of applyAssignment() and checkParent()
 [[nodiscard]] Result<bool> applyToScene(Scene& scene, std::string_view text);
 
 /// Mutes layers, or all but them, as --mute and --layers do.
 /// @param names "flames,2": names or numbers, with commas between
-/// @error UnknownName
+/// @error that of layerNamed(); UnknownName where nothing is named
 [[nodiscard]] Status showOnly(Scene& scene, std::string_view names);
 [[nodiscard]] Status mute(Scene& scene, std::string_view names);
 

@@ -389,6 +389,14 @@ private slots:
         QVERIFY(scene.layers[1].from.empty());
         QVERIFY(applyToScene(scene, "2/from= rocket ").ok());
         QVERIFY(scene == rocketWithTrail());
+        QVERIFY(applyToScene(scene, "Trail/from=Rocket").ok()); // the name is kept as the layer has it
+        QVERIFY(scene == rocketWithTrail());
+        scene.layers.push_back(scene.layers[0]);
+        scene.layers[2].name = "ROCKET";
+        const Result<bool> either = applyToScene(scene, "trail/from=Rocket");
+        QVERIFY(!either && QString::fromStdString(either.error().text()).contains("\"rocket\" (1), \"ROCKET\" (3)"));
+        QVERIFY(applyToScene(scene, "trail/from=ROCKET").ok());
+        QCOMPARE(scene.layers[1].from, std::string("ROCKET"));
     }
 };
 

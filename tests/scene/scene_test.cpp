@@ -402,6 +402,8 @@ private slots:
         QCOMPARE(scene.layers[0].motion.drag, 0.5F);
         QVERIFY(applyToScene(scene, "embers/wind.strength=3").ok());
         QCOMPARE(scene.wind.strength, 3.0F);
+        QVERIFY(applyToScene(scene, "Embers/motion.drag=3.5").ok());
+        QCOMPARE(scene.layers[1].motion.drag, 3.5F);
         scene.layers[2].name = "embers";
         for (const char* wrong : {"embers/motion.drag=1", "0/motion.drag=1", "4/motion.drag=1", "ash/motion.drag=1"}) {
             const Result<bool> result = applyToScene(scene, wrong);
@@ -412,6 +414,42 @@ private slots:
         QVERIFY(mute(scene, "smoke").ok());
         QVERIFY(!scene.layers[0].visible && scene.layers[1].visible);
         QVERIFY(!mute(scene, "smoke,ash").ok());
+    }
+
+    /// As it is written first, by number then, and else but for capital letters where that says which.
+    void layersAreFoundWhateverTheirCapitalLetters()
+    {
+        Scene scene = campfire();
+        scene.layers[0].name = "Embers";
+        scene.layers[2].name = "2";
+        QCOMPARE(layerNamed(scene, "embers").value(), std::size_t{1});
+        QCOMPARE(layerNamed(scene, "Embers").value(), std::size_t{0});
+        QCOMPARE(layerNamed(scene, "2").value(), std::size_t{2});
+        const Result<std::size_t> either = layerNamed(scene, "EMBERS");
+        QVERIFY(!either.ok());
+        QCOMPARE(either.error().code, ErrorCode::UnknownName);
+        for (const char* name : {"\"Embers\" (1)", "\"embers\" (2)"}) {
+            QVERIFY2(either.error().text().find(name) != std::string::npos, either.error().text().c_str());
+        }
+        QVERIFY(!layerNamed(scene, "ember").ok());
+        scene.layers[0].name = "Flames";
+        QCOMPARE(layerNamed(scene, "EMBERS").value(), std::size_t{1});
+        QVERIFY(showOnly(scene, "FLAMES").ok());
+        QVERIFY(mute(scene, "flames").ok());
+        QVERIFY(scene.visibleLayers().empty());
+    }
+
+    void listsOfLayersNameOne()
+    {
+        Scene scene = campfire();
+        const Scene before = scene;
+        for (const char* nothing : {"", " ", ","}) {
+            QVERIFY(!showOnly(scene, nothing).ok());
+            QVERIFY(!mute(scene, nothing).ok());
+        }
+        QVERIFY(scene == before);
+        scene.layers[1].name.clear(); // and nothing is not its name
+        QVERIFY(!mute(scene, "").ok());
     }
 
     /// As many particles in all as one effect may have.
