@@ -92,8 +92,8 @@ bool isOfPresets(const CheckArguments& arguments)
     const PictureOptions& picture = arguments.picture;
     const EffectOptions& effect = picture.effect;
     return !arguments.grid.empty() || !picture.frames.empty() || !picture.size.empty() || !picture.format.empty()
-        || !effect.assignments.empty() || !effect.animations.empty() || !effect.markers.empty()
-        || !effect.layers.empty() || !effect.muted.empty();
+        || !effect.assignments.empty() || !effect.animations.empty() || !effect.markers.empty() || effect.layers
+        || effect.muted;
 }
 
 /// Checks what is named by a manifest or a sheet of a layer, and leaves the presets.

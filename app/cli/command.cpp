@@ -129,9 +129,17 @@ Result<NamedPreset> load(const std::string& preset, const EffectOptions& options
     return named;
 }
 
-Error optionError(std::string option, Error error)
+/// Shows and mutes the layers that options name.
+/// @param names none: the option was not given
+Status choose(const char* option, const std::optional<std::string>& names,
+    Status (*apply)(Scene& scene, std::string_view names), Scene& scene)
 {
-    error.place = std::move(option);
+    Status status = names ? apply(scene, *names) : Status(Done{});
+    if (status) {
+        return status;
+    }
+    Error error = status.error();
+    error.place = std::string(option) + (names->empty() ? "" : " ") + *names;
     return error;
 }
 
@@ -224,10 +232,18 @@ void EffectOptions::addTo(CLI::App& command)
         ->take_all()
         ->allow_extra_args(false)
         ->option_text("NAME=SECONDS");
-    command.add_option("--layers", layers, "Show these layers alone: names or numbers from 1, with commas between")
+    // Functions: the library would take an empty text for none.
+    command
+        .add_option_function<std::string>(
+            "--layers", [this](const std::string& names) { layers = names; },
+            "Show these layers alone: names or numbers from 1, with commas between")
         ->type_name("LAYERS")
         ->option_text("LAYERS");
-    command.add_option("--mute", muted, "Leave these layers out")->type_name("LAYERS")->option_text("LAYERS");
+    command
+        .add_option_function<std::string>(
+            "--mute", [this](const std::string& names) { muted = names; }, "Leave these layers out")
+        ->type_name("LAYERS")
+        ->option_text("LAYERS");
 }
 
 Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const
@@ -264,11 +280,15 @@ Result<std::vector<NamedPreset>> EffectOptions::loadAll() const
             return named.error();
         }
         Scene& scene = named.value().preset.scene;
-        if (Status status = layers.empty() ? Status(Done{}) : showOnly(scene, layers); !status) {
-            return optionError("--layers " + layers, status.error());
+        if (Status status = choose("--layers", layers, &showOnly, scene); !status) {
+            return status.error();
         }
-        if (Status status = muted.empty() ? Status(Done{}) : mute(scene, muted); !status) {
-            return optionError("--mute " + muted, status.error());
+        if (Status status = choose("--mute", muted, &mute, scene); !status) {
+            return status.error();
+        }
+        if (muted && scene.visibleLayers().empty()) {
+            warn("--mute " + *muted + ": no layer is left, and nothing of " + inQuotes(named.value().name)
+                + " is to be seen");
         }
         loaded.push_back(std::move(named).value());
     }

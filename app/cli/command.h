@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,8 @@ struct EffectOptions {
     std::vector<std::string> assignments;
     std::vector<std::string> animations;
     std::vector<std::string> markers;
-    std::string layers; ///< to be shown, all others muted; empty: those that the preset shows
-    std::string muted;
+    std::optional<std::string> layers; ///< to be shown, all others muted; none: those that the preset shows
+    std::optional<std::string> muted;
 
     /// Adds PRESET, --set, --animate, --marker, --layers and --mute to a subcommand.
     void addTo(CLI::App& command);

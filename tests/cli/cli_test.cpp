@@ -177,6 +177,23 @@ private slots:
         QVERIFY(!inherits(QStringLiteral("Trails")));
     }
 
+    void layersAreNamedOnTheCommandLine()
+    {
+        const QStringList dump{"dump", "bonfire", "--set", "1/emitter.count=5", "--set", "embers/emitter.count=7",
+            "--set", "air.enabled=false"};
+        const Outcome embers = run(dump + QStringList{"--layers", "Embers"});
+        QVERIFY2(embers.code == 0, embers.error.constData());
+        QCOMPARE(run(dump + QStringList{"--mute", "flames"}).out, embers.out);
+        QVERIFY(!embers.error.contains("no layer is left"));
+        for (const QString option : {"--layers", "--mute"}) { // as of a variable that is not set
+            const Outcome nothing = run(dump + QStringList{option, ""});
+            QCOMPARE(nothing.code, 3);
+            QVERIFY2(nothing.error.contains(option.toUtf8() + ": no layer is named"), nothing.error.constData());
+        }
+        const Outcome none = run(dump + QStringList{"--layers", "1", "--mute", "FLAMES"});
+        QVERIFY2(none.code == 0 && none.error.contains("--mute FLAMES: no layer is left"), none.error.constData());
+    }
+
     void aPictureIsTakenFromItsFile()
     {
         const QTemporaryDir folder;
