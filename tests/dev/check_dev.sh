@@ -80,6 +80,16 @@ says "opens /smoke.json" 'cd ..; export CDPATH=$PWD/decoy DISPLAY=:9; tree/dev r
 for call in 'tree/dev' 'bash tree/dev'; do
     says 'build_consumer.sh: No such file' "cd ..; $call check subproject || cat tree/build/check/subproject.log"
 done
+echo "-- presets without tests are not said to be good"
+for each in 'package package' 'fuzz fuzz' 'windows test-windows' 'windows-editor test-windows --editor'; do
+    code=0
+    output=$(cd "$tree" && env -i PATH="$machine" ./dev test "${each%% *}" 2>&1) || code=$?
+    [ "$code" -eq 2 ] || { echo "./dev test ${each%% *} ends with $code: $output"; exit 1; }
+    [[ $output == "The preset ${each%% *} has no tests."*"./dev ${each#* }" ]] || { echo "./dev test ${each%% *} says: $output"; exit 1; }
+done
+# Those that build none are these.
+awk -F'"' '/"name":/ { name = $4 } /"FUMAGE_BUILD_TESTS": "OFF"/ { print name }' "$source/CMakePresets.json" > "$machine/without"
+[ "$(sort "$machine/without" | tr '\n' ' ')" = 'fuzz package windows ' ] || { echo "presets without tests: $(cat "$machine/without")"; exit 1; }
 echo "-- under a sanitizer run the tests that can, with what it has to be told"
 for each in comm sed sort; do
     ln -s "$(command -v $each)" "$machine/$each"
