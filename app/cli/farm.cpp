@@ -145,7 +145,8 @@ Status writePreset(const FarmJob& job, const NamedPreset& named, const Scene& se
 }
 
 /// Takes the preset's file, the farm's and the frames in among those of the presets before.
-Status keepApart(const FarmJob& job, const FarmFiles& made, std::string_view ending, JobFiles& writtenBefore)
+Status keepApart(const std::string& preset, const FarmJob& job, const FarmFiles& made, std::string_view ending,
+    JobFiles& writtenBefore)
 {
     std::vector<std::filesystem::path> files{job.folder / pathFrom(presetFileOf(job))};
     for (const FarmFile& file : made.files) {
@@ -154,7 +155,7 @@ Status keepApart(const FarmJob& job, const FarmFiles& made, std::string_view end
     for (int i = 0; i < job.frames.count(); ++i) {
         files.push_back(framePath(job.folder / pathFrom(job.output), job.frames, ending, job.frames.at(i)));
     }
-    return writtenBefore.add(job.name, files);
+    return writtenBefore.add(preset, files);
 }
 
 Status writeOne(const FarmOptions& options, const NamedPreset& named, JobFiles& writtenBefore)
@@ -175,7 +176,7 @@ Status writeOne(const FarmOptions& options, const NamedPreset& named, JobFiles& 
     if (!made) {
         return made.error();
     }
-    if (Status status = keepApart(job, made.value(), fileEnding(plan.format), writtenBefore); !status) {
+    if (Status status = keepApart(named.name, job, made.value(), fileEnding(plan.format), writtenBefore); !status) {
         return status;
     }
     if (Status status = writePreset(job, named, seen.value()); !status) {

@@ -7,8 +7,8 @@
 
 namespace fumage {
 
-/// The layer that a name or a number from 1 stands for, as findLayer(). Where there is none, the one layer whose name it
-/// is but for A to Z being small or not.
+/// The layer that a name or a number from 1 stands for, as findLayer(). Where there is none, the one layer whose name
+/// it is but for A to Z being small or not.
 /// @error UnknownName where there is no such layer, with the names that there are, or several have the name
 [[nodiscard]] Result<std::size_t> layerNamed(const Scene& scene, std::string_view name);
 
@@ -24,8 +24,8 @@ struct LayerAssignment {
 [[nodiscard]] Result<LayerAssignment> layerAssignment(const Scene& scene, std::string_view text);
 
 /// Parses "key=value" or "layer/key=value" and applies it, as --set does. What all layers share is set in the scene,
-/// whatever layer is named. "layer/from=name" lets a layer be born on another's particles, whose
-/// name is looked for in the same way, "layer/from=" on its emitter.
+/// whatever layer is named. "layer/from=name" lets a layer be born on another's particles, whose name is found whatever
+/// its capital letters, too; "layer/from=" on its emitter.
 /// @return whether the value had to be clamped
 /// @error that of layerAssignment(), those of applyAssignment() and checkParent()
 [[nodiscard]] Result<bool> applyToScene(Scene& scene, std::string_view text);

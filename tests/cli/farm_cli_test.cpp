@@ -247,7 +247,7 @@ private slots:
         const Outcome made =
             runIn(folder, {"farm", "fire.json", "fire_##.json", "-f", "0-3", "--for", "slurm", "-o", "out/"});
         QCOMPARE(made.code, 3);
-        QVERIFY2(made.error.contains("would write over a file of \"fire\""), made.error);
+        QVERIFY2(made.error.contains("\"fire_##\" would write over a file of \"fire\""), made.error);
         QCOMPARE(QDir(folder.filePath("out")).entryList(QDir::Files, QDir::Name),
             (QStringList{"fire.fumage.json", "fire.slurm.sh"}));
     }
