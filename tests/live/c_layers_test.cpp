@@ -76,6 +76,7 @@ private slots:
         QCOMPARE(fumage_layers(smoke.get()), 4);
         QCOMPARE(QByteArray(fumage_layer_name(smoke.get(), 2)), QByteArray("embers"));
         QCOMPARE(fumage_find_layer(smoke.get(), "smoke"), 1);
+        QCOMPARE(fumage_find_layer(smoke.get(), "Smoke"), 1); // but for capital letters
         QCOMPARE(fumage_find_layer(smoke.get(), "1"), 0); // as in keys: counted from 1
         QVERIFY(fumage_error(smoke.get()) == nullptr);
         QCOMPARE(fumage_find_layer(smoke.get(), "mist"), -1);
