@@ -2,7 +2,9 @@
 // and how a drag ends.
 #include "window_fixture.h"
 
-#include "ui/widgets/gesture.h"
+#include "ui/document/key_edits.h"
+#include "ui/document/layer_edits.h"
+#include "ui/document/marker_edits.h"
 #include "ui/noise_preview/noise_canvas.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/parameter_row.h"
@@ -10,7 +12,10 @@
 #include "ui/shell/action_table.h"
 #include "ui/shell/docks.h"
 #include "ui/timeline/timeline_bar.h"
+#include "ui/viewport/gizmos.h"
 #include "ui/viewport/viewport.h"
+
+#include "core/effect/known_parameter.h"
 
 #include <QAbstractSpinBox>
 #include <QAbstractItemView>
@@ -23,10 +28,14 @@
 #include <QTabBar>
 #include <QWindow>
 
+#include <functional>
+
 using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
+
+constexpr const Parameter& kKeyed = knownParameter("wind.strength");
 
 /// What a widget holds that a hand can change; invalid where it holds nothing.
 QVariant heldBy(const QWidget& widget)
@@ -174,6 +183,65 @@ private slots:
             QTest::mouseRelease(&widget, Qt::LeftButton, {}, at + QPoint(40, 5));
             QVERIFY2(held() == first, qPrintable(nameOf(widget)));
             QCOMPARE(m_window->document().undoStack()->count(), steps);
+        });
+    }
+
+    /// Else the drag would go on in what the steps before it have left: here in a layer that is not that of the press.
+    void undoInADragTakesItBackAndTheNextOneFindsNoDrag()
+    {
+        eachDrag([this](QWidget& widget, QPoint at) {
+            const QString first = held();
+            begin(widget, at);
+            QVERIFY2(held() != first, qPrintable(nameOf(widget)));
+            trigger("edit.undo");
+            QVERIFY2(held() == first, qPrintable(nameOf(widget) + u": "_q + held() + u" is not "_q + first));
+            trigger("edit.undo"); // the button is still down
+            const QString undone = held();
+            QCOMPARE(m_window->document().scene().layers.size(), std::size_t{1});
+            drag(widget, at + QPoint(60, 20));
+            QVERIFY2(held() == undone, qPrintable(nameOf(widget)));
+            QTest::mouseRelease(&widget, Qt::LeftButton, {}, at + QPoint(60, 20));
+            QVERIFY2(held() == undone, qPrintable(nameOf(widget)));
+            trigger("edit.redo");
+            QVERIFY2(held() == first, qPrintable(nameOf(widget)));
+        });
+    }
+
+    /// Where the drag has made no step, as that of the camera, there may be one to be done again.
+    void redoInADragBringsNoLayerUnderTheHand()
+    {
+        Document& document = m_window->document();
+        addKeysAndMarker();
+        addLayer(document);
+        document.undoStack()->undo();
+        QVERIFY(document.undoStack()->canRedo());
+        QWidget& surface = *m_window->viewport().surface();
+        const QString first = held();
+        begin(surface, QPoint(20, 20));
+        QVERIFY(held() != first);
+        trigger("edit.redo");
+        QCOMPARE(held(), first);
+        QTest::mouseRelease(&surface, Qt::LeftButton, {}, QPoint(60, 40));
+        QCOMPARE(held(), first);
+        trigger("edit.redo");
+        QCOMPARE(document.scene().layers.size(), std::size_t{2});
+    }
+
+    /// What changes the document otherwise ends the drag first: it stays as far as it has come.
+    void aDragEndsBeforeItsLayerIsDeleted()
+    {
+        eachDrag([this](QWidget& widget, QPoint at) {
+            begin(widget, at);
+            const QString dragged = held();
+            trigger("edit.deleteLayers");
+            QCOMPARE(m_window->document().scene().layers.size(), std::size_t{1});
+            const QString left = held();
+            drag(widget, at + QPoint(60, 20));
+            QVERIFY2(held() == left, qPrintable(nameOf(widget)));
+            QTest::mouseRelease(&widget, Qt::LeftButton, {}, at + QPoint(60, 20));
+            QVERIFY2(held() == left, qPrintable(nameOf(widget)));
+            trigger("edit.undo");
+            QVERIFY2(held() == dragged, qPrintable(nameOf(widget)));
         });
     }
 
@@ -398,11 +466,14 @@ private:
     {
         QTest::mousePress(&widget, Qt::LeftButton, {}, at);
         for (const int way : {4, 12, 25}) {
-            const QPoint to = at + QPoint(way, way / 3);
-            QMouseEvent move(
-                QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-            QApplication::sendEvent(&widget, &move);
+            drag(widget, at + QPoint(way, way / 3));
         }
+    }
+
+    static void drag(QWidget& widget, QPoint to)
+    {
+        QMouseEvent move(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&widget, &move);
     }
 
     static void hover(QWidget& widget, QPoint at)
@@ -411,26 +482,62 @@ private:
         QApplication::sendEvent(&widget, &move);
     }
 
-    /// Calls with one widget of each kind that is dragged, and where.
+    /// A key frame and a marker at the frame that is shown, and the graph: they belong to all layers.
+    void addKeysAndMarker()
+    {
+        addKey(m_window->document(), kKeyed);
+        addMarkerHere(m_window->document());
+        auto* bar = m_window->findChild<TimelineBar*>();
+        bar->setShowsGraph(true);
+        QTRY_VERIFY(bar->lanes().isVisible() && bar->graph().isVisible() && bar->markers().isVisible());
+    }
+
+    /// Where the handle of the emitter's normal is on the screen.
+    QPoint normalOnScreen() const
+    {
+        const View view = m_window->viewport().view();
+        for (const Gizmo& gizmo : gizmosOf(m_window->document().effect(), view)) {
+            if (gizmo.id == GizmoId::EmitterNormal) {
+                const Projected at = project(view, gizmo.to);
+                return {qRound(at.x), qRound(at.y)};
+            }
+        }
+        return {};
+    }
+
+    /// Calls with one widget of each kind that is dragged, and where. The last step before is that which has brought the
+    /// layer that is edited.
     template <class Act>
     void eachDrag(const Act& act)
     {
         open(u"main"_q);
+        addKeysAndMarker();
+        duplicateLayers(m_window->document(), {0});
+        const TimelineBar& bar = *m_window->findChild<TimelineBar*>();
+        QTRY_VERIFY(bar.emission().isVisible()); // the bar has its height
+        if (QTest::currentTestFailed()) {
+            return;
+        }
         auto* panel = m_window->findChild<EffectPanel*>();
-        QList<std::pair<QWidget*, QPoint>> drags;
+        QList<std::pair<QWidget*, std::function<QPoint()>>> drags; // what was dragged before may be elsewhere by now
         for (const char* name : {"emitter.speed.field", "emitter.speed.slider", "wind.angle.dial", "emitter.normal.x",
                  "emitter.normal.yaw.slider", "emitter.position.x", "look.colour.r", "emitter.count.slider",
                  "life.alpha.area", "look.colour_over_life.bar"}) {
             auto* widget = childOf<QWidget>(*panel, QString::fromLatin1(name));
-            drags.append({widget, QPoint(widget->width() / 3, widget->height() / 4)});
+            drags.append({widget, [widget] { return QPoint(widget->width() / 3, widget->height() / 4); }});
         }
-        TimelineRuler& ruler = m_window->findChild<TimelineBar*>()->ruler();
-        drags.append({&ruler, QPoint(ruler.width() / 3, ruler.height() / 2)});
+        TimelineRuler& ruler = bar.ruler();
+        drags.append({&ruler, [&ruler] { return QPoint(ruler.width() / 3, ruler.height() / 2); }});
+        const auto key = [this] { return KeyPlace{&kKeyed, m_window->document().track(kKeyed)->keys.front().seconds}; };
+        drags.append({&bar.lanes(), [&bar, key] { return bar.lanes().placeOf(key()).toPoint(); }});
+        drags.append({&bar.graph(), [&bar, key] { return bar.graph().placeOf(key()).toPoint(); }});
+        drags.append({&bar.markers(), [&bar] { return bar.markers().flagOf(0).center().toPoint(); }});
         QWidget* surface = m_window->viewport().surface();
-        drags.append({surface, QPoint(20, 20)});
+        drags.append({surface, [this] { return normalOnScreen(); }});
+        drags.append({surface, [] { return QPoint(20, 20); }});
         for (const auto& [widget, at] : drags) {
             m_window->centralWidget()->setFocus();
-            act(*widget, at);
+            act(*widget, at());
             if (QTest::currentTestFailed()) {
                 return;
             }

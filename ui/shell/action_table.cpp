@@ -1,7 +1,10 @@
 #include "ui/shell/action_table.h"
 
 #include "ui/theme/icons.h"
+#include "ui/widgets/gesture.h"
 #include "ui/widgets/plain_text.h"
+
+#include <string_view>
 
 #include <QCoreApplication>
 #include <QMenu>
@@ -411,6 +414,13 @@ QAction* makeAction(const ActionSpec& spec, QObject* parent)
     return action;
 }
 
+/// Whether an action may change the document under a hand that drags something of it. Undo and redo look after that.
+bool endsDrag(const ActionSpec& spec)
+{
+    const std::string_view id = spec.id;
+    return id.starts_with("file.") || (id.starts_with("edit.") && id != "edit.undo" && id != "edit.redo");
+}
+
 } // namespace
 
 std::span<const ActionSpec> actionSpecs()
@@ -445,6 +455,9 @@ ActionSet::ActionSet(QWidget* window)
             action->setMenu(menu);
         } else {
             window->addAction(action);
+        }
+        if (endsDrag(spec)) {
+            QObject::connect(action, &QAction::triggered, this, [] { endDrag(); }); // before all that it does
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "ui/shell/edit_actions.h"
 
 #include "ui/document/key_edits.h"
+#include "ui/widgets/gesture.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/shell/action_table.h"
 
@@ -39,8 +40,17 @@ void EditActions::connectUndo()
     QUndoStack* stack = m_document.undoStack();
     connect(stack, &QUndoStack::indexChanged, this, &EditActions::nameUndo);
     nameUndo();
-    m_actions.on("edit.undo", stack, &QUndoStack::undo);
-    m_actions.on("edit.redo", stack, &QUndoStack::redo);
+    // In the middle of a drag the step before it may be the layer that is dragged in.
+    m_actions.on("edit.undo", stack, [stack] {
+        if (!takeDragBack()) {
+            stack->undo();
+        }
+    });
+    m_actions.on("edit.redo", stack, [stack] {
+        if (!takeDragBack()) {
+            stack->redo();
+        }
+    });
 }
 
 void EditActions::nameUndo()

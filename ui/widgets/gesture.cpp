@@ -29,13 +29,33 @@ QEvent::Type DragCancel::type()
     return registered;
 }
 
-void sendDragCancel(QWidget* dragged)
+bool sendDragCancel(QWidget* dragged)
 {
     DragCancel cancel;
     for (QWidget* to = dragged; to != nullptr && !cancel.isAccepted();
          to = to->isWindow() ? nullptr : to->parentWidget()) {
         QCoreApplication::sendEvent(to, &cancel);
     }
+    return cancel.isAccepted();
+}
+
+QEvent::Type DragEnd::type()
+{
+    static const auto registered = static_cast<QEvent::Type>(QEvent::registerEventType());
+    return registered;
+}
+
+void endDrag()
+{
+    DragEnd end(false);
+    QCoreApplication::sendEvent(qApp, &end);
+}
+
+bool takeDragBack()
+{
+    DragEnd end(true);
+    QCoreApplication::sendEvent(qApp, &end);
+    return end.isAccepted();
 }
 
 void EndlessWay::begin(const QMouseEvent& press)

@@ -29,7 +29,31 @@ public:
 
 /// Sends it to what is dragged, and on to what is around it within its window, until somebody accepts it.
 /// @param dragged null: nobody
-void sendDragCancel(QWidget* dragged);
+/// @return whether somebody has
+bool sendDragCancel(QWidget* dragged);
+
+/// Tells the one who knows what is held, the InputGuard, that the drag of the mouse is over, though its button is down.
+class DragEnd : public QEvent {
+public:
+    explicit DragEnd(bool takesBack)
+        : QEvent(type())
+        , m_takesBack(takesBack)
+    {
+        ignore();
+    }
+    [[nodiscard]] static Type type();
+    /// As Escape does it, and not by a release.
+    [[nodiscard]] bool takesBack() const { return m_takesBack; }
+
+private:
+    bool m_takesBack;
+};
+
+/// Before something else is done to what may be dragged: lets go of it, where anything is held.
+void endDrag();
+/// Takes the drag of the mouse back, as Escape does; what cannot be taken back is let go.
+/// @return whether there was a drag that was taken back
+bool takeDragBack();
 
 /// The way of a mouse that is dragged, as if the screen had no edges: where it ends, the pointer comes in again at the
 /// other side.

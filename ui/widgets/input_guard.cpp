@@ -69,6 +69,10 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
     if (m_held && isEndOfDrag(*watched, *event)) {
         letGo();
     }
+    if (event->type() == DragEnd::type()) {
+        end(static_cast<DragEnd&>(*event));
+        return true;
+    }
     if (!watched->isWidgetType()) {
         return false;
     }
@@ -169,10 +173,23 @@ void InputGuard::letGo()
     m_held = held;
 }
 
-void InputGuard::takeBack()
+bool InputGuard::takeBack()
 {
-    sendDragCancel(m_held);
+    const bool isTakenBack = sendDragCancel(m_held);
     if (m_held) {
+        letGo();
+    }
+    return isTakenBack;
+}
+
+void InputGuard::end(DragEnd& end)
+{
+    if (!m_held || m_spent) {
+        return; // a button that is still down after its drag changes nothing any more
+    }
+    if (end.takesBack()) {
+        end.setAccepted(takeBack());
+    } else {
         letGo();
     }
 }

@@ -8,12 +8,15 @@ class QMouseEvent;
 
 namespace fumage::ui {
 
+class DragEnd;
+
 /// Stands before all widgets of the application, so that none can forget what holds for the hand everywhere:
 /// - only the left button changes anything; the right one opens menus;
 /// - a wheel that passes over a field belongs to what scrolls: a list and the head of a tab never take it, a number or
 ///   a slider only with the focus;
 /// - a drag ends with its button: also where the release never came, because a dialog or another window took it;
-/// - Escape takes a drag back.
+/// - Escape takes a drag back, and so do undo and redo, which do nothing else then: takeDragBack(). What else changes
+///   the document ends it first: endDrag().
 class InputGuard : public QObject {
     Q_OBJECT
 
@@ -34,7 +37,9 @@ private:
     bool isEndOfDrag(const QObject& watched, const QEvent& event) const;
     /// The held widget gets the release that did not come.
     void letGo();
-    void takeBack();
+    /// @return whether anybody had something to take back
+    bool takeBack();
+    void end(DragEnd& end);
 
     QPointer<QWidget> m_held; ///< has got a press and no release yet
     Qt::MouseButton m_button = Qt::NoButton; ///< that holds it
