@@ -181,6 +181,24 @@ private slots:
         QTRY_COMPARE(stateOf(0), ExportState::Done);
     }
 
+    void quittingWaitsForAnExportThatIsAskedForAndThenClosesAllWindows()
+    {
+        const QDialog* dialog = fillSequence(u"quit/smoke_##.png"_q, 3, 4);
+        saveDocument();
+        m_chosenAnswer = 0; // finish
+        const QPointer<MainWindow> window(m_window);
+        const QPointer<MainWindow> other(m_session->openWindow());
+        QVERIFY(QTest::qWaitForWindowExposed(other));
+        childOf<QPushButton>(*dialog, u"export.begin"_q)->click();
+        QVERIFY(m_window->exports().isBusy());
+        trigger("file.quit");
+        QTRY_VERIFY(window == nullptr);
+        QTRY_VERIFY(other == nullptr);
+        QCOMPARE(m_choiceQuestions.size(), 1); // of the last
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(m_folder.filePath(u"quit/smoke_04.png"_q)), 60000);
+        QTRY_COMPARE(stateOf(0), ExportState::Done);
+    }
+
     void closingTheWindowStopsAnExport()
     {
         beginSequence(u"part/smoke_####.png"_q, 5000);

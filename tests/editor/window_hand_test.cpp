@@ -505,8 +505,8 @@ private:
         return {};
     }
 
-    /// Calls with one widget of each kind that is dragged, and where. The last step before is that which has brought the
-    /// layer that is edited.
+    /// Calls with one widget of each kind that is dragged, and where. The last step before is that which has brought
+    /// the layer that is edited.
     template <class Act>
     void eachDrag(const Act& act)
     {

@@ -46,6 +46,7 @@ public:
     [[nodiscard]] Recovery& recovery() { return m_recovery; }
     [[nodiscard]] DocumentFiles& files() { return m_files; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
+    [[nodiscard]] ExportController& exports() { return m_exports; }
     /// What stays until it is answered.
     [[nodiscard]] MessageBar& messages() { return *m_messages; }
     [[nodiscard]] FileNotices& notices() { return m_notices; }

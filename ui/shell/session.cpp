@@ -108,6 +108,12 @@ void Session::end()
 void Session::closeAll()
 {
     for (const QPointer<MainWindow>& window : QList<QPointer<MainWindow>>(m_windows)) {
+        if (window && window->isVisible() && window->exports().isBusy()) {
+            // It does not refuse: it cannot be asked yet. Nor can those after it, of which the last is asked for all.
+            connect(&window->exports(), &ExportController::rested, this, &Session::closeAll,
+                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection | Qt::UniqueConnection));
+            return;
+        }
         if (window && !window->close()) {
             return;
         }
