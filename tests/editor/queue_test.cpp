@@ -296,6 +296,29 @@ private slots:
         QTRY_VERIFY(namesOnDisk().isEmpty());
     }
 
+    void whatWasLeftAndHasNoRoomStaysOnTheDiskForTheNextProgram()
+    {
+        constexpr std::size_t kEach = kMaxJobs / 2 + 1; // two lists are one too many
+        for (const char* name : {"one", "two"}) {
+            const std::vector<ExportJob> jobs(kEach, jobFor(name, at("a.png")));
+            QVERIFY(
+                writeJobsFile((queueFolder().filePath(QLatin1String(name)) + u".json"_q).toStdString(), jobs).ok());
+        }
+        QVERIFY(m_queue->takeLeftovers().isEmpty());
+        QCOMPARE(m_queue->held(), static_cast<int>(kEach)); // no list is torn apart
+        QCOMPARE(m_queue->crowdedOut(), static_cast<int>(kEach));
+        const QStringList both = namesOnDisk();
+        QCOMPARE(both.count(u"one"_q), static_cast<qsizetype>(kEach));
+        QCOMPARE(both.count(u"two"_q), static_cast<qsizetype>(kEach));
+        const QString first = m_queue->index(0).data().toString();
+        ExportQueue next(queueFolder()); // another program, with nothing to do
+        QVERIFY(next.takeLeftovers().isEmpty());
+        QCOMPARE(next.held(), static_cast<int>(kEach));
+        QCOMPARE(next.crowdedOut(), 0);
+        QVERIFY(next.index(0).data().toString() != first);
+        QCOMPARE(namesOnDisk().size(), static_cast<qsizetype>(2 * kEach));
+    }
+
     void whatWasLeftStaysWhereItIsUntilTheDiskTakesIt()
     {
         const ExportJob job = jobFor("one", at("one.png"));

@@ -291,13 +291,20 @@ void ExportQueue::stopAll()
 QStringList ExportQueue::takeLeftovers()
 {
     QueueFile::Leftovers left = QueueFile::find(m_folder);
-    for (const std::shared_ptr<const ExportJob>& job : left.jobs) {
-        if (unfinishedJobs().size() < kMaxJobs) {
+    std::vector<OwnFile> taken;
+    m_crowdedOut = 0;
+    for (QueueFile::LeftList& list : left.lists) {
+        if (unfinishedJobs().size() + list.jobs.size() > kMaxJobs) {
+            m_crowdedOut += static_cast<int>(list.jobs.size()); // their file stays, for whoever starts next
+            continue;
+        }
+        for (const std::shared_ptr<const ExportJob>& job : list.jobs) {
             append(job, ExportState::Held);
         }
+        taken.push_back(std::move(list.file));
     }
-    if (!left.files.empty()) {
-        m_file.takeOver(unfinishedJobs(), std::move(left.files));
+    if (!taken.empty()) {
+        m_file.takeOver(unfinishedJobs(), std::move(taken));
     }
     return left.unreadable;
 }

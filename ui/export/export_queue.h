@@ -71,9 +71,12 @@ public:
     /// Cancels what runs and forgets what waits.
     void stopAll();
 
-    /// Takes what programs that are gone have left into the list, held.
+    /// Takes what programs that are gone have left into the list, held. Of lists that would make more than kMaxJobs
+    /// nothing is taken: their files stay for a program that has room.
     /// @return files that could not be read
     QStringList takeLeftovers();
+    /// How many exports had no room then.
+    [[nodiscard]] int crowdedOut() const { return m_crowdedOut; }
 
 signals:
     /// It was added, or its state or how far it is has changed.
@@ -109,6 +112,7 @@ private:
     const QDir m_folder;
     std::vector<QueuedExport> m_exports;
     quint64 m_lastId = 0;
+    int m_crowdedOut = 0;
     QueueFile m_file;
     ExportWorker m_worker; ///< these last: they end before what hears of them
     ExportCheck m_check;

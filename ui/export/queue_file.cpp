@@ -95,10 +95,11 @@ QueueFile::Leftovers QueueFile::find(const QDir& folder)
             found.unreadable += file.path;
             continue;
         }
+        ExportJobs jobs;
         for (ExportJob& job : reading.value().jobs) {
-            found.jobs.push_back(std::make_shared<const ExportJob>(std::move(job)));
+            jobs.push_back(std::make_shared<const ExportJob>(std::move(job)));
         }
-        found.files.push_back(std::move(file));
+        found.lists.push_back({std::move(jobs), std::move(file)});
     }
     return found;
 }

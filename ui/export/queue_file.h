@@ -34,11 +34,15 @@ public:
     /// those files stay, and belong to this program.
     void takeOver(const ExportJobs& jobs, std::vector<OwnFile> left);
 
+    /// The list of a program that is gone.
+    struct LeftList {
+        ExportJobs jobs;
+        OwnFile file; ///< that they were read from: takeOver() takes it away
+    };
     /// What programs that are gone have left.
     struct Leftovers {
-        ExportJobs jobs; ///< the newest list first
+        std::vector<LeftList> lists; ///< the newest first
         QStringList unreadable; ///< files that are no lists; they stay
-        std::vector<OwnFile> files; ///< that they were read from: takeOver() takes them away
     };
     [[nodiscard]] static Leftovers find(const QDir& folder);
 

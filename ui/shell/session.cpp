@@ -172,9 +172,13 @@ void Session::offerExports()
     if (const int left = exports().held(); left > 0) {
         QMetaObject::invokeMethod(
             &window->docks(), &Docks::showQueue, Qt::QueuedConnection); // once the panels have their places
-        window->notify(
+        QStringList said{
             tr("Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.")
-                .arg(left));
+                .arg(left)};
+        if (const int more = exports().crowdedOut(); more > 0) {
+            said += tr("The list has no room for %1 more, which come when the program starts again.").arg(more);
+        }
+        window->notify(said.join(QLatin1Char(' ')));
     }
 }
 
