@@ -1,6 +1,8 @@
 #include "editor_helpers.h"
 #include "tests/export/small_smoke.h"
 
+#include "ui/document/key_edits.h"
+#include "ui/document/marker_edits.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/preview_canvas.h"
 #include "ui/panels/curve_editor.h"
@@ -100,6 +102,29 @@ private slots:
         m_dialog->show();
         QVERIFY(files->text().contains(u"400"_q));
         QCOMPARE(field->text(), u"50"_q + before[1].mid(3));
+    }
+
+    /// The file that is offered tells when the plan is looked at again.
+    void playingKeyFramesDoesNotPlanAnew()
+    {
+        addKey(*m_document, knownParameter("glow.emission"));
+        auto* path = child<QLineEdit>(u"export.path"_q);
+        const QString offered = path->text();
+        const auto isPlannedBy = [&](const auto& change) {
+            const QSignalBlocker blocker(path); // which looks at the plan, too
+            path->setText(u"untouched"_q);
+            const QSignalSpy changes(m_document.get(), &Document::effectChanged);
+            change();
+            return !changes.isEmpty() && path->text() == offered;
+        };
+        QVERIFY(!isPlannedBy([&] { m_document->setSeconds(1.0); }));
+        QCOMPARE(m_document->seconds(), 1.0);
+        QVERIFY(isPlannedBy([&] { addMarkerHere(*m_document); }));
+        QVERIFY(!isPlannedBy([&] { m_document->setSeconds(2.0); }));
+        QVERIFY(isPlannedBy([&] { m_document->edit(knownParameter("motion.gravity"), 7.0F); }));
+        // A colour with key frames is shown here, as it is at the time that is shown.
+        addKey(*m_document, knownParameter("output.background_colour"));
+        QVERIFY(isPlannedBy([&] { m_document->setSeconds(3.0); }));
     }
 
     void anEngineBringsItsPassesAndFiles()

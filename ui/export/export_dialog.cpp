@@ -94,7 +94,7 @@ void ExportDialog::connectPlan()
     });
     connect(m_flipbook, &FlipbookChoices::resized, this, &ExportDialog::fitScreen);
     connect(m_preview, &PreviewPane::resized, this, &ExportDialog::fitScreen);
-    connect(&m_document, &Document::effectChanged, this, &ExportDialog::followPlan);
+    connect(&m_document, &Document::effectChanged, this, &ExportDialog::followEffect);
     connect(&m_document, &Document::layersChanged, this, &ExportDialog::followPlan); // files have their names
     connect(&m_document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
 }

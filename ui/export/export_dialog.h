@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QDialog>
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -97,6 +98,17 @@ private:
     /// A person has named the file; its ending may name another format.
     void takePath(const QString& path);
     void followPlan();
+    /// Where the scene is another, or what is shown here. Playing alone changes nothing of a plan, nor does the layer
+    /// that is edited.
+    void followEffect(const EffectChange& change)
+    {
+        const bool isShown = std::any_of(change.parameters.begin(), change.parameters.end(),
+            [](const Parameter* parameter) { return parameter->atExport; });
+        if (change.isOfScene || isShown || m_markers != m_document.scene().markers) { // which are exported, too
+            m_markers = m_document.scene().markers;
+            followPlan();
+        }
+    }
     void followProgress();
     void begin();
     /// It is in the queue.
@@ -131,6 +143,7 @@ private:
     QPushButton* m_cancel;
     QPushButton* m_show;
     QFormLayout* m_form = nullptr;
+    std::vector<Marker> m_markers; ///< as the plan was followed last
     QSize m_largest; ///< of the contents of all kinds
     bool m_pathIsSuggested = true;
     std::array<int, kExportKinds> m_formats{}; ///< that were chosen last; those of all images in one place
