@@ -50,6 +50,31 @@ private slots:
         QTRY_COMPARE(written.count(), 2);
     }
 
+    /// What is not asked for is not taken away: a file in the place of the copy stays.
+    void playingWhatIsSavedDoesNotTouchTheDisk()
+    {
+        const QTemporaryDir folder;
+        Preset preset;
+        const Parameter& emission = knownParameter("glow.emission");
+        preset.scene.layers[0].tracks.set({&emission, {{0.0, 0.0F}, {2.0, 1.0F}}});
+        Document document;
+        document.load(preset, {});
+        Recovery recovery(document, QDir(folder.path()));
+        const QStringList locks = QDir(folder.path()).entryList({u"*.lock"_q}, QDir::Files | QDir::Hidden);
+        QCOMPARE(locks.size(), 1);
+        QFile file(folder.filePath(locks[0].chopped(5) + u".json"_q));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.close();
+        const QSignalSpy changes(&document, &Document::effectChanged);
+        document.setSeconds(1.0);
+        QCOMPARE(changes.size(), 1);
+        QVERIFY(file.exists());
+        // What is undone before its copy was written leaves none either.
+        document.edit(knownParameter("motion.gravity"), 7.0F);
+        document.undoStack()->undo();
+        QVERIFY(!file.exists());
+    }
+
     void aCopyThatIsBeingWrittenDoesNotOutliveItsWork()
     {
         const QTemporaryDir folder;

@@ -89,9 +89,13 @@ void Recovery::follow()
     if (m_isLeft) {
         return;
     }
+    // Where keys are played there is a change at each frame: none may put the copy off, or takes it away again.
     if (!m_document.isModified()) {
-        discard();
-    } else if (!m_soon.isActive()) { // where keys are played there is a change at each frame: none may put it off
+        if (!m_isNothing) {
+            discard();
+        }
+    } else if (!m_soon.isActive()) {
+        m_isNothing = false;
         m_soon.start();
     }
 }
@@ -109,6 +113,7 @@ void Recovery::save()
     if (!m_document.isModified()) {
         return;
     }
+    m_isNothing = false;
     m_kept = m_document.scene();
     m_writing.ask(
         [this, write = writer()](const AsyncRequest::Report& report, const std::stop_token& stop) {
@@ -132,6 +137,7 @@ void Recovery::keep()
     m_writing.forget();
     const std::lock_guard lock(m_files);
     if (!m_isLeft && m_document.isModified()) {
+        m_isNothing = false;
         note(writer()());
     }
 }
@@ -162,6 +168,7 @@ void Recovery::discard()
     m_writing.forget();
     const std::lock_guard lock(m_files); // what is being written must not come after its end
     removeCopy(m_copy.path);
+    m_isNothing = true;
 }
 
 Recovery::Leftovers Recovery::find(const QDir& folder)
@@ -185,6 +192,7 @@ void Recovery::adopt(Work work)
 {
     discard();
     m_copy = std::move(work.copy);
+    m_isNothing = false;
     m_onTrial = true;
     // If it is this work that ends the program, others are not to run into it again and again.
     const std::string trials(static_cast<std::size_t>(QFileInfo(m_copy.path + kTrial).size()) + 1, '+');

@@ -77,6 +77,7 @@ private:
     std::optional<Scene> m_kept; ///< in the copy that was asked for last
     bool m_onTrial = false; ///< adopted work has not been shown yet
     bool m_hasFailed = false;
+    bool m_isNothing = true; ///< no copy is there, or asked for
     bool m_isLeft = false;
     std::mutex m_files; ///< held while the copy is written or taken away
     AsyncRequest m_writing; ///< last: its thread ends first
