@@ -5,6 +5,7 @@
 #include "ui/presets/start_dialog.h"
 
 #include <QCheckBox>
+#include <QProxyStyle>
 #include <QPushButton>
 
 using namespace fumage;
@@ -27,6 +28,15 @@ struct Shown {
     [[nodiscard]] Widget& part(const char* name) const
     {
         return *dialog.findChild<Widget*>(QLatin1String(name));
+    }
+};
+
+class OneClickStyle : public QProxyStyle {
+public:
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+        QStyleHintReturn* more) const override
+    {
+        return hint == SH_ItemView_ActivateItemOnSingleClick ? 1 : QProxyStyle::styleHint(hint, option, widget, more);
     }
 };
 
@@ -101,6 +111,27 @@ private slots:
         QCOMPARE(shown.files.size(), 1);
         QCOMPARE(shown.files[0][0].toString(), kRecent[1]);
         QVERIFY(!shown.dialog.isVisible());
+    }
+
+    /// As desktops have it that activate what is clicked.
+    void whereAClickActivatesItChoosesOnceAllTheSame()
+    {
+        OneClickStyle style;
+        {
+            const Shown shown;
+            auto& list = shown.part<QListWidget>("startRecent");
+            list.setStyle(&style);
+            click(list, list.item(1));
+            QCOMPARE(shown.files.size(), 1);
+            QCOMPARE(shown.finished.size(), 1);
+        }
+        const Shown shown;
+        auto& list = shown.part<PresetList>("presetList");
+        list.setStyle(&style);
+        QTRY_VERIFY(list.count() >= 14);
+        click(list, list.item(2));
+        QCOMPARE(shown.presets.size(), 1);
+        QCOMPARE(shown.finished.size(), 1);
     }
 
     void withoutFilesOfLastTimeThereIsAWordInTheirPlace()

@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -22,6 +23,16 @@ const QString kBest = QStringLiteral("bonfire");
 const QStringList kScenes{QStringLiteral("blast"), QStringLiteral("torch"), QStringLiteral("firework"),
     QStringLiteral("rocket-launch"), QStringLiteral("spell"), QStringLiteral("campfire"), QStringLiteral("explosion"),
     QStringLiteral("volcano")};
+
+/// One click is enough, on desktops too that ask for two; where one activates anyway, it is no second time.
+void activateByOneClick(QListWidget& list)
+{
+    QObject::connect(&list, &QListWidget::itemClicked, &list, [&list](QListWidgetItem* item) {
+        if (list.style()->styleHint(QStyle::SH_ItemView_ActivateItemOnSingleClick, nullptr, &list) == 0) {
+            emit list.itemActivated(item);
+        }
+    });
+}
 
 /// The files of last time, by their names.
 QListWidget* makeRecent(const QStringList& paths, QWidget* parent)
@@ -101,7 +112,7 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
         accept();
         emit fileChosen(item->data(Qt::UserRole).toString());
     });
-    connect(files, &QListWidget::itemClicked, files, &QListWidget::itemActivated);
+    activateByOneClick(*files);
     connect(open, &QPushButton::clicked, this, [this] {
         accept();
         emit openRequested();
@@ -126,8 +137,7 @@ void StartDialog::connectScenes()
             choose(Preset(*preset)); // a copy: the card may go
         }
     });
-    // One click is enough here: there is nothing else that one could want of a picture.
-    connect(m_list, &QListWidget::itemClicked, m_list, &QListWidget::itemActivated);
+    activateByOneClick(*m_list); // there is nothing else that one could want of a picture
 }
 
 void StartDialog::choose(const Preset& preset)
