@@ -77,10 +77,10 @@ private slots:
         QFETCH(QStringList, expected);
         QFETCH(int, edited);
         const Scene before = m_document.scene();
-        Scene other;
-        other.layers.resize(2);
-        other.layers[0].name = "smoke";
-        other.layers[1].name = "ash";
+        Preset other;
+        other.scene.layers.resize(2);
+        other.scene.layers[0].name = "smoke";
+        other.scene.layers[1].name = "ash";
         switch (change) {
         case 0: addLayer(m_document); break;
         case 1: duplicateLayers(m_document, {1}); break;
@@ -167,8 +167,8 @@ private slots:
             duplicateLayers(m_document, {0, m_document.scene().layers.size() - 1});
         }
         QCOMPARE(m_document.scene().layers.size(), kMaxLayers);
-        Scene other;
-        other.layers.resize(2);
+        Preset other;
+        other.scene.layers.resize(2);
         QCOMPARE(addLayersOf(m_document, other, u"other"_q), std::size_t{2});
     }
 
@@ -337,6 +337,47 @@ private slots:
         QCOMPARE(failed.size(), 2);
         QVERIFY(m_document.scene() == before);
         QCOMPARE(m_document.undoStack()->count(), 0);
+    }
+
+    /// Of newer versions, and of others: what is not known here goes with its layer wherever that goes.
+    void whatIsUnknownOfLayersIsPastedAndDuplicatedWithThem()
+    {
+        std::string text = formatPreset(m_document.preset());
+        text.insert(text.find("\"name\": \"smoke\""), "\"flavour\": \"vanilla\", ");
+        m_document.load(parsePreset(text).value().preset, {});
+        const auto owners = [](const Document& document) { // as a file would say
+            const Preset saved = parsePreset(formatPreset(document.preset())).value().preset;
+            QStringList all;
+            for (const UnknownMember& member : saved.unknown) {
+                all += toQString(saved.scene.layers[member.layer].name);
+            }
+            return all;
+        };
+        QCOMPARE(owners(m_document), QStringList{u"smoke"_q});
+        Solo solo(m_document);
+        LayerList list(m_document, solo);
+        list.transfer().copy({0, 1});
+        list.transfer().paste();
+        QCOMPARE(names(m_document), (QStringList{u"flames"_q, u"flames 2"_q, u"smoke 2"_q, u"smoke"_q, u"embers"_q}));
+        QCOMPARE(owners(m_document), (QStringList{u"smoke 2"_q, u"smoke"_q}));
+        m_document.undoStack()->undo();
+        QCOMPARE(owners(m_document), QStringList{u"smoke"_q});
+        m_document.undoStack()->redo();
+        QCOMPARE(owners(m_document), (QStringList{u"smoke 2"_q, u"smoke"_q}));
+        duplicateLayers(m_document, {0, 3});
+        QCOMPARE(owners(m_document), (QStringList{u"smoke 2"_q, u"smoke"_q, u"smoke 3"_q}));
+        m_document.undoStack()->undo();
+        // What is cut and pasted says it once.
+        list.transfer().cut({3});
+        QCOMPARE(owners(m_document), QStringList{u"smoke 2"_q});
+        list.transfer().paste();
+        QCOMPARE(owners(m_document).count(u"smoke"_q), 1);
+        QCOMPARE(owners(m_document).size(), 2);
+        // And into another document.
+        Document other;
+        Solo otherSolo(other);
+        LayerList(other, otherSolo).transfer().paste();
+        QCOMPARE(owners(other), QStringList{u"smoke"_q});
     }
 
     void noMoreIsPastedThanThereMayBe()

@@ -301,8 +301,7 @@ private slots:
         constexpr std::size_t kEach = kMaxJobs / 2 + 1; // two lists are one too many
         for (const char* name : {"one", "two"}) {
             const std::vector<ExportJob> jobs(kEach, jobFor(name, at("a.png")));
-            QVERIFY(
-                writeJobsFile((queueFolder().filePath(QLatin1String(name)) + u".json"_q).toStdString(), jobs).ok());
+            QVERIFY(writeJobsFile((queueFolder().filePath(QLatin1String(name)) + u".json"_q).toStdString(), jobs).ok());
         }
         QVERIFY(m_queue->takeLeftovers().isEmpty());
         QCOMPARE(m_queue->held(), static_cast<int>(kEach)); // no list is torn apart

@@ -99,6 +99,10 @@ public:
     /// Other layers, or others in another order.
     /// @param selection that is chosen afterwards, all below their number
     void replaceScene(const Scene& scene, const LayerSelection& selection, const QString& text, Gesture gesture = {});
+    /// Says more of layers that have been added than is known here, as a file would. It goes with them and comes with
+    /// them, and is no step of its own.
+    /// @param said of layers by their places now
+    void addUnknown(const std::vector<UnknownMember>& said) { m_unknown.add(m_preset, said); }
     /// Back to what was loaded or last saved, key frames too.
     void reset(const Parameter& parameter);
 

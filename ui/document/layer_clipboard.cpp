@@ -32,13 +32,7 @@ Preset partOf(const Preset& preset, const LayerPlaces& layers)
         part.scene.layers.push_back(preset.scene.layers[layer]);
     }
     dropBrokenParents(part.scene);
-    for (UnknownMember member : preset.unknown) {
-        const auto place = std::find(layers.begin(), layers.end(), member.layer);
-        if (isOfLayer(member) && place != layers.end()) {
-            member.layer = static_cast<std::size_t>(place - layers.begin());
-            part.unknown.push_back(std::move(member));
-        }
-    }
+    part.unknown = unknownOf(preset, layers);
     return part;
 }
 

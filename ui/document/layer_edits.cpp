@@ -112,8 +112,9 @@ void addLayer(Document& document)
 }
 
 std::size_t insertLayers(
-    Document& document, std::size_t at, const Scene& other, const QString& name, const QString& text)
+    Document& document, std::size_t at, const Preset& added, const QString& name, const QString& text)
 {
+    const Scene& other = added.scene;
     Scene scene = document.scene();
     const std::size_t fitting = std::min(other.layers.size(), kMaxLayers - scene.layers.size());
     for (std::size_t i = 0; i < fitting; ++i) {
@@ -130,6 +131,11 @@ std::size_t insertLayers(
     dropBrokenParents(scene);
     if (fitting > 0) {
         document.replaceScene(scene, {at + fitting - 1, placesFrom(at, fitting)}, text);
+        std::vector<UnknownMember> said = unknownOf(added, placesFrom(0, fitting));
+        for (UnknownMember& member : said) {
+            member.layer += at;
+        }
+        document.addUnknown(said);
     }
     return other.layers.size() - fitting;
 }
@@ -139,9 +145,9 @@ QString addingLayersOf(const QString& name)
     return LayerEdits::tr("Add the layers of “%1”").arg(shortened(onOneLine(name)));
 }
 
-std::size_t addLayersOf(Document& document, const Scene& other, const QString& name)
+std::size_t addLayersOf(Document& document, const Preset& added, const QString& name)
 {
-    return insertLayers(document, document.layer() + 1, other, name, addingLayersOf(name));
+    return insertLayers(document, document.layer() + 1, added, name, addingLayersOf(name));
 }
 
 void duplicateLayers(Document& document, const LayerPlaces& layers)
@@ -149,12 +155,13 @@ void duplicateLayers(Document& document, const LayerPlaces& layers)
     if (layers.empty()) {
         return;
     }
-    Scene copies;
-    copies.layers.clear();
+    Preset copies;
+    copies.scene.layers.clear();
     for (const std::size_t layer : layers) {
-        copies.layers.push_back(document.scene().layers[layer]);
-        copies.layers.back().name = layerLabel(document.scene(), layer).toStdString();
+        copies.scene.layers.push_back(document.scene().layers[layer]);
+        copies.scene.layers.back().name = layerLabel(document.scene(), layer).toStdString();
     }
+    copies.unknown = unknownOf(document.preset(), layers);
     insertLayers(document, layers.back() + 1, copies, {},
         LayerEdits::tr("Duplicate %1").arg(layersLabel(document.scene(), layers)));
 }

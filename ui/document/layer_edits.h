@@ -23,15 +23,16 @@ using LayerPlaces = std::vector<std::size_t>;
 
 /// Adds a new layer after the one that is edited. Nothing happens where there are kMaxLayers.
 void addLayer(Document& document);
-/// Adds the layers of another scene, as many as fit: without its surroundings, with names and seeds that none has yet.
+/// Adds the layers of another preset, as many as fit, with what is not known of them here: without its surroundings,
+/// with names and seeds that none has yet.
 /// @param at   place of the first of them afterwards
 /// @param name of those that have none
 /// @param text of the undo step
 /// @return how many did not fit
 std::size_t insertLayers(
-    Document& document, std::size_t at, const Scene& other, const QString& name, const QString& text);
-/// The same of a preset, after the layer that is edited.
-std::size_t addLayersOf(Document& document, const Scene& other, const QString& name);
+    Document& document, std::size_t at, const Preset& added, const QString& name, const QString& text);
+/// The same after the layer that is edited.
+std::size_t addLayersOf(Document& document, const Preset& added, const QString& name);
 /// Adds copies of layers after the last of them, as many as fit.
 void duplicateLayers(Document& document, const LayerPlaces& layers);
 /// Nothing happens where none would be left.

@@ -3,6 +3,7 @@
 #include "core/effect/parameter_table.h"
 #include "core/preset/preset_keys.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace fumage::ui {
@@ -36,17 +37,50 @@ bool isOfLayer(const UnknownMember& member)
         || groupScope(member.group) == Scope::Layer;
 }
 
+std::vector<UnknownMember> unknownOf(const Preset& preset, const std::vector<std::size_t>& layers)
+{
+    std::vector<UnknownMember> said;
+    for (const UnknownMember& member : preset.unknown) {
+        const auto place = std::find(layers.begin(), layers.end(), member.layer);
+        if (isOfLayer(member) && place != layers.end()) {
+            said.push_back(member);
+            said.back().layer = static_cast<std::size_t>(place - layers.begin());
+        }
+    }
+    return said;
+}
+
 void UnknownPlaces::reset(const Preset& preset)
 {
     m_marks.clear();
     for (const UnknownMember& member : preset.unknown) {
-        std::optional<Mark> mark;
-        if (isOfLayer(member) && member.layer < preset.scene.layers.size()) {
-            const Layer& layer = preset.scene.layers[member.layer];
-            mark = Mark{layer.name, layer.emitter.seed, member.layer};
-        }
-        m_marks.push_back(std::move(mark));
+        addMark(preset, member);
     }
+}
+
+void UnknownPlaces::add(Preset& preset, const std::vector<UnknownMember>& more)
+{
+    for (const UnknownMember& member : more) {
+        // A layer that was cut and comes back has found its own already; tracks have no key, and are what they say.
+        const bool isSaid = std::any_of(preset.unknown.begin(), preset.unknown.end(), [&](const UnknownMember& said) {
+            return said.group == member.group && said.key == member.key && said.layer == member.layer
+                && said.isOfScene == member.isOfScene && (!said.key.empty() || said.json == member.json);
+        });
+        if (!isSaid) {
+            preset.unknown.push_back(member);
+            addMark(preset, member);
+        }
+    }
+}
+
+void UnknownPlaces::addMark(const Preset& preset, const UnknownMember& member)
+{
+    std::optional<Mark> mark;
+    if (isOfLayer(member) && member.layer < preset.scene.layers.size()) {
+        const Layer& layer = preset.scene.layers[member.layer];
+        mark = Mark{layer.name, layer.emitter.seed, member.layer};
+    }
+    m_marks.push_back(std::move(mark));
 }
 
 void UnknownPlaces::follow(Preset& preset, std::size_t before)

@@ -50,7 +50,7 @@ void LayerTransfer::cut(const LayerPlaces& layers)
 
 void LayerTransfer::insert(const PresetReading& reading, const QString& name, std::size_t at, const QString& text)
 {
-    const std::size_t left = insertLayers(m_document, at, reading.preset.scene, name, text);
+    const std::size_t left = insertLayers(m_document, at, reading.preset, name, text);
     if (left > 0) {
         emit news(tr("A scene has at most %1 layers: %2 were left out.").arg(kMaxLayers).arg(left));
     }

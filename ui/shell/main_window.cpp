@@ -226,7 +226,7 @@ void MainWindow::connectPresets()
         m_document.replaceScene(preset.scene, 0, tr("Apply “%1”").arg(shortened(toQString(preset.name))));
     });
     connect(&browser, &PresetBrowser::layersWanted, &m_document,
-        [this](const Preset& preset) { addLayersOf(m_document, preset.scene, toQString(preset.name)); });
+        [this](const Preset& preset) { addLayersOf(m_document, preset, toQString(preset.name)); });
     connect(&browser, &PresetBrowser::favouriteChanged, &settings, &Settings::setFavourite);
     connect(&settings, &Settings::favouritesChanged, &browser,
         [&browser, &settings] { browser.setFavourites(settings.favourites()); });
