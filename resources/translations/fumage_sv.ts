@@ -3960,6 +3960,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Give fewer particles to the layers that others are born on</source>
         <translation>Ge färre partiklar åt de lager som andra föds på</translation>
     </message>
+    <message>
+        <source>there is no one layer %1, but %2</source>
+        <translation>det finns inte ett lager %1, utan %2</translation>
+    </message>
+    <message>
+        <source>Write the name as it is, or where they share it the number</source>
+        <translation>Skriv namnet som det är, eller numret där de delar det</translation>
+    </message>
+    <message>
+        <source>no layer is named</source>
+        <translation>inget lager anges</translation>
+    </message>
+    <message>
+        <source>Name layers, or leave the option out</source>
+        <translation>Ange lager, eller utelämna alternativet</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::MockStage</name>
@@ -6766,6 +6782,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.</source>
         <translation>Exporter som inte var färdiga när programmet avslutades: %1. Panelen Exporter startar eller tar bort dem.</translation>
+    </message>
+    <message>
+        <source>The list has no room for %1 more, which come when the program starts again.</source>
+        <translation>Listan har inte plats för %1 till, som kommer när programmet startas nästa gång.</translation>
     </message>
 </context>
 <context>

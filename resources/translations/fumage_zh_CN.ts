@@ -3960,6 +3960,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Give fewer particles to the layers that others are born on</source>
         <translation>减少其他图层所诞生于其上的图层的粒子数</translation>
     </message>
+    <message>
+        <source>there is no one layer %1, but %2</source>
+        <translation>没有唯一的图层 %1，而有 %2</translation>
+    </message>
+    <message>
+        <source>Write the name as it is, or where they share it the number</source>
+        <translation>请照原样写名称；若名称相同，请写编号</translation>
+    </message>
+    <message>
+        <source>no layer is named</source>
+        <translation>没有指定图层</translation>
+    </message>
+    <message>
+        <source>Name layers, or leave the option out</source>
+        <translation>请指定图层，或省略该选项</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::MockStage</name>
@@ -6766,6 +6782,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.</source>
         <translation>程序结束时尚未完成的导出：%1。可在“导出”面板中开始或移除它们。</translation>
+    </message>
+    <message>
+        <source>The list has no room for %1 more, which come when the program starts again.</source>
+        <translation>列表容纳不下另外 %1 个，它们将在程序下次启动时出现。</translation>
     </message>
 </context>
 <context>
