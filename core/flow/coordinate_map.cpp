@@ -14,7 +14,7 @@ void CoordinateMap::seed(const AirGrid& on)
     row = layout.row;
     plane = layout.plane;
     quads.assign(layout.size, 0.0F);
-    parallelFor(static_cast<std::size_t>(on.cells.z + 1), [&](std::size_t k) {
+    parallelFor(static_cast<std::size_t>(on.cells.z) + 1, [&](std::size_t k) {
         for (int j = 0; j <= on.cells.y; ++j) {
             float* to = quads.data() + k * plane + static_cast<std::size_t>(j) * row;
             for (int i = 0; i <= on.cells.x; ++i, to += 4) {

@@ -17,7 +17,7 @@ void carryPart(const AirField& field, float seconds, CoordinateMap& map, Coordin
     if (room.quads.size() != map.quads.size()) {
         room.quads.assign(map.quads.size(), 0.0F);
     }
-    parallelFor(static_cast<std::size_t>(map.grid.cells.z + 1),
+    parallelFor(static_cast<std::size_t>(map.grid.cells.z) + 1,
         [&](std::size_t plane) { carryPlane(map, field, seconds, static_cast<int>(plane), room); });
     std::swap(map, room);
 }

@@ -65,7 +65,7 @@ QString NumberField::fittingText() const
     constexpr int kPadding = 4; // of QLineEdit, to both sides
     const int room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - margins.left()
         - margins.right() - kPadding;
-    const QString whole = formatNumber(m_value, m_scale.unit);
+    QString whole = formatNumber(m_value, m_scale.unit);
     if (hasFocus() || room <= 0) {
         return whole;
     }
@@ -73,7 +73,7 @@ QString NumberField::fittingText() const
     constexpr int kMinDigits = 3;
     for (const Unit unit : {m_scale.unit, Unit::None}) {
         for (int digits = kShownDigits; digits >= kMinDigits; --digits) {
-            if (const QString text = formatNumber(m_value, unit, digits); fits(text)) {
+            if (QString text = formatNumber(m_value, unit, digits); fits(text)) {
                 return text;
             }
         }
