@@ -13,12 +13,12 @@ namespace fumage::cli {
 namespace {
 
 /// What the camera of one effect has to become, as options of other commands.
-Result<std::string> optionsFor(const Scene& scene, const FrameRange& frames)
+Result<std::string> optionsFor(const Scene& scene, const ExportPlan& plan)
 {
     Scene fitted = scene;
     {
         ProgressBar bar("Looking");
-        const Result<Camera> camera = fitCamera(scene, frames, bar.task());
+        const Result<Camera> camera = fitCamera(scene, plan.frames, bar.task(), plan.outlierPercent);
         if (!camera) {
             return camera.error();
         }
@@ -41,11 +41,14 @@ Status fit(const PictureOptions& options)
 {
     return options.effect.forEach([&](const NamedPreset& named) -> Status {
         // all frames, also of a preset that one picture carries
-        const Result<PictureJob> job = options.jobWithoutOutput(named, ExportKind::Video);
+        Result<PictureJob> job = options.jobWithoutOutput(named, ExportKind::Video);
         if (!job) {
             return job.error();
         }
-        const Result<std::string> text = optionsFor(job.value().scene, job.value().plan.frames);
+        if (Status status = options.options.applyTo(job.value().plan); !status) {
+            return status;
+        }
+        const Result<std::string> text = optionsFor(job.value().scene, job.value().plan);
         return text ? print(text.value()) : Status(text.error());
     });
 }
@@ -63,11 +66,17 @@ void addFit(CLI::App& program, Action& action)
         ->add_option(
             "--size", options->size, "Picture size, of which the shape matters: 512 or 640x360. Default: the preset's")
         ->type_name("SIZE");
+    options->options.addTo(*command, "ignore_outliers",
+        "Percent of the smoke that may be outside, 0 to 5, for larger frames: stray sparks and puffs; what is left "
+        "out is cut off at the border");
     command->footer("The camera looks the way it does; it moves until no border of any frame has smoke on it, and the "
                     "smoke fills the picture. render and flipbook do the\n"
                     "same with --fit, for the frames that they are asked for: one fit beforehand gives all parts of an "
                     "animation the same camera.\n"
-                    "Example:\n"
+                    "With --ignore-outliers the smoke fills the picture but for that share of it which needs the most "
+                    "room.\n"
+                    "Examples:\n"
+                    "  fumage-cli fit forge-sparks --ignore-outliers 1\n"
                     "  fumage-cli render chimney --output out/chimney_####.exr $(fumage-cli fit chimney)");
     command->callback([options, &action] { action = [options] { return fit(*options); }; });
 }

@@ -22,7 +22,7 @@ struct FlipbookArguments {
 };
 
 /// Which edges, which frames, and what would help.
-std::string complaint(const Flipbook& flipbook)
+std::string complaint(const Flipbook& flipbook, const ExportPlan& plan)
 {
     const CutOff& cut = *flipbook.cutOff;
     std::string edges;
@@ -34,8 +34,12 @@ std::string complaint(const Flipbook& flipbook)
     }
     std::ostringstream text;
     text << "the smoke is cut off at the edge of cells (" << edges << "; frames " << cut.firstFrame << " to "
-         << cut.lastFrame << "; alpha up to " << std::setprecision(2) << flipbook.edgeAlpha
-         << "): --fit moves the camera so that all of it is seen";
+         << cut.lastFrame << "; alpha up to " << std::setprecision(2) << flipbook.edgeAlpha << "): ";
+    if (plan.fitCamera && plan.outlierPercent > 0.0F) {
+        text << "--ignore-outliers leaves it outside";
+        return text.str();
+    }
+    text << "--fit moves the camera so that all of it is seen";
     if (cut.distance > 0.0F) {
         text << ", as would --set camera.distance=" << std::setprecision(3) << cut.distance;
     }
@@ -128,7 +132,7 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
         return done.error();
     }
     if (done.value() && done.value()->cutOff) {
-        warn(complaint(*done.value()));
+        warn(complaint(*done.value(), job.value().plan));
     }
     return Done{};
 }

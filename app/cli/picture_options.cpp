@@ -75,7 +75,8 @@ void PictureOptions::addTo(
         "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
     addWhole(command, "--supersample", supersample, 1, kMaxSupersample,
         "Render this many times larger and average. Default: the preset's");
-    options.addTo(command, "fit_camera");
+    CLI::Option* fit = options.addTo(command, "fit_camera");
+    options.addTo(command, "ignore_outliers")->needs(fit);
 }
 
 void PictureOptions::addFormat(CLI::App& command)

@@ -2,6 +2,7 @@
 
 #include "core/base/joined.h"
 #include "core/system/path.h"
+#include "core/export/fit_camera.h"
 #include "core/export/option_kinds.h"
 #include "core/export/sheets/cell_frames.h"
 #include "core/noise/texture.h"
@@ -270,6 +271,13 @@ constexpr auto kOptions = std::to_array<ExportOption>({
             .help = "Move the camera so that all smoke of the frames asked for is in the picture, and fills it",
             .applies = showsSmoke},
         [](auto& plan) -> auto& { return plan.fitCamera; }),
+    numberOption<kNone, kMaxOutlierPercent>(
+        {.key = "ignore_outliers",
+            .help = "Percent of the smoke that --fit may leave outside, 0 to 5, for larger frames: stray sparks and "
+                    "puffs; what is left out is cut off at the border",
+            .initial = "0",
+            .applies = showsSmoke},
+        [](auto& plan) -> auto& { return plan.outlierPercent; }),
     {.key = "carries_preset",
         .form = OptionForm::Flag,
         .applies = showsSmoke,
@@ -354,43 +362,6 @@ std::vector<std::string> splitList(std::string_view text)
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return parts;
-}
-
-std::map<std::string, std::string> settingsOf(const ExportPlan& plan)
-{
-    std::map<std::string, std::string> settings;
-    for (const ExportOption& option : kOptions) {
-        if (option.setting.empty() || !option.applies(plan)) {
-            continue;
-        }
-        if (const Text text = option.text(plan); text && !text->empty()) {
-            settings[std::string(option.setting)] = *text;
-        }
-    }
-    return settings;
-}
-
-Status readSettings(const std::map<std::string, std::string>& settings, ExportPlan& plan)
-{
-    for (const ExportOption& option : kOptions) {
-        if (option.setting.empty() || !option.applies(plan)) {
-            continue;
-        }
-        const auto found = settings.find(std::string(option.setting));
-        const bool isSaid = found != settings.end() && !found->second.empty();
-        if (!isSaid && !option.unsaid) {
-            return Error{
-                ErrorCode::WrongType, makeMessage("what this manifest is of cannot be rendered again"), {}, {}};
-        }
-        const std::string text = isSaid ? found->second : std::string(*option.unsaid);
-        const Texts parts = option.form == OptionForm::List ? splitList(text) : Texts{text};
-        for (const std::string& part : text.empty() ? Texts() : parts) {
-            if (Status status = option.read(part, plan); !status) {
-                return status;
-            }
-        }
-    }
-    return Done{};
 }
 
 } // namespace fumage

@@ -2,7 +2,6 @@
 
 #include "core/export/export_option.h"
 
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,12 +21,5 @@ namespace fumage {
 
 /// The texts of a list that are one text.
 [[nodiscard]] std::vector<std::string> splitList(std::string_view text);
-
-/// What manifests say of a plan.
-[[nodiscard]] std::map<std::string, std::string> settingsOf(const ExportPlan& plan);
-/// Reads them again.
-/// @param plan with its kind and its format
-/// @error WrongType where one is missing; that of the first that is not understood
-[[nodiscard]] Status readSettings(const std::map<std::string, std::string>& settings, ExportPlan& plan);
 
 } // namespace fumage

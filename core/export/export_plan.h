@@ -95,6 +95,7 @@ struct ExportPlan {
                               ///< volumes, as Blender has it, else y
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds for their frames; those who
                             ///< render an animation in parts fit it before
+    float outlierPercent = 0.0F; ///< of the smoke, which such a camera may leave outside; see fitCamera()
     std::optional<Preset> project; ///< that pictures carry, so that they open as it, with the effect that they show in
                                    ///< place of its own; none: they carry nothing
     Recording recording; ///< of frames and flipbooks

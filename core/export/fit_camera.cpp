@@ -1,11 +1,15 @@
 #include "core/export/fit_camera.h"
 
 #include "core/base/memory.h"
+#include "core/export/smoke_tally.h"
 #include "core/rendering/framing.h"
 #include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include <glm/vec3.hpp>
 
 namespace fumage {
 
@@ -16,42 +20,64 @@ namespace {
 constexpr int kEdge = 256;
 constexpr int kRounds = 2;
 constexpr int kMaxRounds = 4;
+/// Rounds without outliers: from where all is seen the rest is small, and the first comes as near as that is known.
+constexpr int kOutlierRounds = 3;
 /// Of the frames that give the first guess one in so many is looked at.
 constexpr int kStride = 4;
 /// Half of what may be on the border at most.
 constexpr float kSeen = 0.5F / 255.0F;
+constexpr double kPercent = 0.01;
+constexpr double kMaxShare = kPercent * static_cast<double>(kMaxOutlierPercent);
+
+/// Finds the middle of smoke, each particle by what it covers.
+class MiddleOfSmoke {
+public:
+    void add(const Particles& particles, const Appearance& appearance)
+    {
+        for (std::size_t i = 0; i < particles.capacity; ++i) {
+            if (!(appearance.alpha[i] > 0.0F && appearance.radius[i] > 0.0F)) {
+                continue;
+            }
+            const auto radius = static_cast<double>(appearance.radius[i]);
+            const double weight = static_cast<double>(appearance.alpha[i]) * radius * radius;
+            m_sum += weight * glm::dvec3(particles.x[i], particles.y[i], particles.z[i]);
+            m_weight += weight;
+        }
+    }
+    [[nodiscard]] bool isEmpty() const { return !(m_weight > 0.0); }
+    /// Of at least one particle.
+    [[nodiscard]] glm::vec3 point() const { return {m_sum / m_weight}; }
+
+private:
+    glm::dvec3 m_sum{0.0};
+    double m_weight = 0.0;
+};
 
 /// Looks at all frames of an effect, from a camera that comes nearer to what is wanted each time.
 class Fitting {
 public:
-    Fitting(const Scene& scene, const FrameRange& frames, const Task& task)
+    /// @param share of the smoke that may be outside, 0 to kMaxShare
+    Fitting(const Scene& scene, const FrameRange& frames, const Task& task, double share)
         : m_layers(layersOf(scene))
         , m_simulator(m_layers)
         , m_frames(frames)
         , m_task(task)
+        , m_share(share)
     {
         const float scale =
             static_cast<float>(kEdge) / static_cast<float>(std::max(scene.output.width, scene.output.height));
         m_width = std::max(1, static_cast<int>(std::lround(static_cast<float>(scene.output.width) * scale)));
         m_height = std::max(1, static_cast<int>(std::lround(static_cast<float>(scene.output.height) * scale)));
-        m_guesses = (frames.count() + kStride - 1) / kStride;
+        m_total = (frames.count() + kStride - 1) / kStride
+            + (kRounds + (m_share > 0.0 ? kOutlierRounds : 0)) * frames.count();
     }
 
     Result<Camera> run()
     {
         const Camera& asked = m_layers.front()->camera;
         Framing guess(asked, m_width, m_height);
-        for (int index = 0; index < m_frames.count(); index += kStride) {
-            const auto frame = m_simulator.frame(m_frames.at(index), m_task);
-            if (!frame) {
-                return frame.error();
-            }
-            const LayersAtFrame layers(frame.value(), m_layers);
-            for (const LayerFrame& layer : layers.frames()) {
-                findAppearance(*layer.frame, *layer.effect, Axes{}, m_appearance);
-                guess.addParticles(layer.frame->particles, m_appearance, secondsAt(frame.value()));
-            }
-            report();
+        if (Status status = guessFromParticles(guess); !status) {
+            return status.error();
         }
         Camera camera = guess.camera();
         for (int round = 0; round < kMaxRounds && (round < kRounds || m_touches); ++round) {
@@ -65,8 +91,9 @@ public:
                     makeMessage("Choose other frames, or make the smoke denser")};
             }
             camera = seen.camera();
+            guess = std::move(seen);
         }
-        return camera;
+        return m_share > 0.0 ? withoutOutliers(aroundTheMiddle(camera, guess)) : camera;
     }
 
 private:
@@ -86,22 +113,39 @@ private:
 
     void report()
     {
-        const int total = m_guesses + kRounds * m_frames.count();
-        m_done = std::min(m_done + 1, total);
-        m_task.progress(ProgressPhase::Fitting, m_done, total);
+        m_done = std::min(m_done + 1, m_total);
+        m_task.progress(ProgressPhase::Fitting, m_done, m_total);
     }
 
-    /// Renders every frame through a camera, and adds where smoke was seen.
-    Status look(const Camera& camera, Framing& seen)
+    Status guessFromParticles(Framing& guess)
     {
-        m_touches = false;
+        for (int index = 0; index < m_frames.count(); index += kStride) {
+            const auto frame = m_simulator.frame(m_frames.at(index), m_task);
+            if (!frame) {
+                return frame.error();
+            }
+            const LayersAtFrame layers(frame.value(), m_layers);
+            for (const LayerFrame& layer : layers.frames()) {
+                findAppearance(*layer.frame, *layer.effect, Axes{}, m_appearance);
+                guess.addParticles(layer.frame->particles, m_appearance, secondsAt(frame.value()));
+                m_middle.add(layer.frame->particles, m_appearance);
+            }
+            report();
+        }
+        return Done{};
+    }
+
+    /// Renders every frame through a camera.
+    /// @param take is given the frame and its view when m_image and m_renderer have its picture
+    template <class Take>
+    Status lookThrough(const Camera& camera, Take take)
+    {
         for (int index = 0; index < m_frames.count(); ++index) {
             const auto frame = m_simulator.frame(m_frames.at(index), m_task);
             if (!frame) {
                 return frame.error();
             }
-            const float seconds = secondsAt(frame.value());
-            const View view = makeView(camera, seconds, m_width, m_height);
+            const View view = makeView(camera, secondsAt(frame.value()), m_width, m_height);
             if (Status status = m_renderer.prepare(LayersAtFrame(frame.value(), m_layers), view, m_task.stop);
                 !status) {
                 return status;
@@ -109,20 +153,83 @@ private:
             if (Status status = m_renderer.composite(m_image, m_task.stop); !status) {
                 return status;
             }
-            const PictureReach reach = reachOf(m_image, kSeen);
-            m_touches = m_touches
-                || (!reach.isEmpty()
-                    && (reach.left == 0 || reach.top == 0 || reach.right == m_width || reach.bottom == m_height));
-            seen.addPicture(view, reach, depths(frame.value(), view), seconds);
+            take(frame.value(), view);
             report();
         }
         return Done{};
     }
 
-    /// Of what is drawn, m.
-    [[nodiscard]] DepthRange depths(const SceneFrame& frame, const View& view) const
+    /// Adds where smoke is seen through a camera.
+    Status look(const Camera& camera, Framing& seen)
     {
-        Depths found;
+        m_touches = false;
+        return lookThrough(camera, [&](const SceneFrame& frame, const View& view) {
+            const PictureReach reach = reachOf(m_image, kSeen);
+            m_touches = m_touches
+                || (!reach.isEmpty()
+                    && (reach.left == 0 || reach.top == 0 || reach.right == m_width || reach.bottom == m_height));
+            seen.addPicture(view, reach, depths(frame, view), secondsAt(frame));
+        });
+    }
+
+    /// Where all is seen as well, on a turntable with the smoke in the middle: there it stays while what has flown off
+    /// goes around it.
+    /// @param seen all that the camera sees
+    [[nodiscard]] Camera aroundTheMiddle(Camera camera, const Framing& seen) const
+    {
+        if (camera.mode == CameraMode::Orbit && camera.turntable != 0.0F && !m_middle.isEmpty()) {
+            camera.target = m_middle.point();
+            camera.distance = seen.distanceFrom(camera.target);
+        }
+        return camera;
+    }
+
+    /// Comes nearer by leaving outliers outside. What lies beyond the margins after a round is what that round has left
+    /// outside, and counts no more.
+    /// @param camera sees all
+    Result<Camera> withoutOutliers(Camera camera)
+    {
+        struct Moment {
+            View view;
+            DepthRange depths;
+            float seconds;
+        };
+        double share = m_share; // of what is still inside
+        for (int round = 0; round < kOutlierRounds; ++round) {
+            SmokeTally tally(m_width, m_height, kSeen);
+            DepthTally along;
+            std::vector<Moment> moments;
+            const Status status = lookThrough(camera, [&](const SceneFrame& frame, const View& view) {
+                tally.add(m_image);
+                moments.push_back({view, depths(frame, view), secondsAt(frame)});
+                forEachSprite(frame, view, [&](float depth, const Sprite& sprite) {
+                    const auto size = static_cast<double>(depth); // what it covers where it is, near or far
+                    along.add(depth, static_cast<double>(coverOf(sprite)) * size * size);
+                });
+            });
+            if (!status) {
+                return status.error();
+            }
+            Framing kept(camera, m_width, m_height);
+            const OutlierCut cut = cutOutliers(tally, round == 0 ? tally.whole() : kept.inner(), share, kMaxShare);
+            share = std::max(0.0, (share - cut.lost) / (1.0 - cut.lost));
+            for (std::size_t i = 0; i < moments.size(); ++i) {
+                const Moment& moment = moments[i];
+                kept.addPicture(
+                    moment.view, tally.reachIn(i, cut.reach), along.without(moment.depths, m_share), moment.seconds);
+            }
+            camera = kept.camera(); // as it is where nothing is left
+        }
+        return camera;
+    }
+
+    static float coverOf(const Sprite& sprite) { return sprite.opacity * sprite.halfWidth * sprite.halfHeight; }
+
+    /// Of all that are drawn, in their order.
+    /// @param take is given how far from the eye a particle is, m, and its sprite
+    template <class Take>
+    void forEachSprite(const SceneFrame& frame, const View& view, Take take) const
+    {
         for (std::size_t layer = 0; layer < frame.layers.size(); ++layer) {
             const Particles& particles = frame.layers[layer]->particles;
             const SpriteBatch& batch = m_renderer.batch(layer);
@@ -130,10 +237,16 @@ private:
                 if (batch.depth[i] == SpriteBatch::kHidden || batch.sprites[i].opacity < kSeen) {
                     continue;
                 }
-                const float depth = project(view, {particles.x[i], particles.y[i], particles.z[i]}).depth;
-                found.add(depth, batch.sprites[i].opacity * batch.sprites[i].halfWidth * batch.sprites[i].halfHeight);
+                take(project(view, {particles.x[i], particles.y[i], particles.z[i]}).depth, batch.sprites[i]);
             }
         }
+    }
+
+    /// Of what is drawn, m.
+    [[nodiscard]] DepthRange depths(const SceneFrame& frame, const View& view) const
+    {
+        Depths found;
+        forEachSprite(frame, view, [&found](float depth, const Sprite& sprite) { found.add(depth, coverOf(sprite)); });
         return found.isEmpty() ? DepthRange{1.0F, 1.0F, 1.0F} : found.range();
     }
 
@@ -141,21 +254,24 @@ private:
     SceneSimulator m_simulator;
     Renderer m_renderer;
     Appearance m_appearance;
+    MiddleOfSmoke m_middle;
     Image m_image;
     FrameRange m_frames;
     const Task& m_task;
+    double m_share;
     int m_width = 1;
     int m_height = 1;
-    int m_guesses = 0;
+    int m_total = 0; ///< frames to be looked at
     int m_done = 0;
     bool m_touches = false;
 };
 
 } // namespace
 
-Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, const Task& task)
+Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, const Task& task, float outliers)
 {
-    return withinMemory([&] { return Fitting(scene, frames, task).run(); });
+    const double share = outliers > 0.0F ? std::min(kPercent * static_cast<double>(outliers), kMaxShare) : 0.0;
+    return withinMemory([&] { return Fitting(scene, frames, task, share).run(); });
 }
 
 } // namespace fumage

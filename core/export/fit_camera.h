@@ -5,16 +5,28 @@
 
 namespace fumage {
 
+/// Most of the smoke that fitCamera() leaves outside, percent.
+inline constexpr float kMaxOutlierPercent = 5.0F;
+
 /// Finds the camera that shows all of the smoke of an animation and no more, from the direction in which it looks: no
 /// pixel on the border of any of the frames reaches an alpha of 1/255. It moves, and does not turn or zoom; on a
 /// turntable it stays on its circle.
 ///
 /// Particles give a first guess; small pictures of the frames then show where smoke is to be seen, since what is faint
 /// at the rim needs no room.
-/// @param effect its quality is taken to be good
-/// @param task   hears of ProgressPhase::Fitting after each frame that was looked at; each is looked at several times
+///
+/// With outliers it shows the smoke without a share of it that needs the most room, as stray sparks do, and comes
+/// nearer: of what the pictures that show all smoke have, alphas summed over all pixels of all frames, at most that
+/// share is left outside, see cutOutliers(). What is left outside may be cut off at the border. Sparks that fly towards
+/// the camera do not hold it off where they are no more than that share of the smoke; they may pass it.
+/// @param effect   its quality is taken to be good
+/// @param task     hears of ProgressPhase::Fitting after each frame that was looked at; each is looked at several times
+/// @param outliers percent of the smoke that may be outside, taken to be within 0 to kMaxOutlierPercent; 0: none, and
+///                 the camera is as without them to the bit
 /// @error Cancelled, OutOfMemory; OutOfRange where no frame has smoke
-/// O(frames), each as a frame of a sequence at a small size, three times.
-[[nodiscard]] Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, const Task& task = {});
+/// O(frames), each as a frame of a sequence at a small size, three times; six times with outliers, and then 2 KB of
+/// memory a frame.
+[[nodiscard]] Result<Camera> fitCamera(
+    const Scene& scene, const FrameRange& frames, const Task& task = {}, float outliers = 0.0F);
 
 } // namespace fumage

@@ -222,4 +222,11 @@ Camera Framing::camera() const
     return m_camera.mode == CameraMode::Orbit && m_camera.turntable != 0.0F ? turning() : still();
 }
 
+PictureReach Framing::inner() const
+{
+    const int x = static_cast<int>(0.5F * kMargin * static_cast<float>(m_width));
+    const int y = static_cast<int>(0.5F * kMargin * static_cast<float>(m_height));
+    return {.left = x, .right = m_width - x, .top = y, .bottom = m_height - y};
+}
+
 } // namespace fumage

@@ -71,6 +71,9 @@ public:
     /// orbits around the smoke.
     [[nodiscard]] Camera camera() const;
 
+    /// What lies between the margins of the pictures that camera() sees, outwards to whole pixels.
+    [[nodiscard]] PictureReach inner() const;
+
     /// How far from its target, m, a camera would have to be to see all that was added.
     [[nodiscard]] float distanceFrom(const glm::vec3& target) const { return demandAt(target).distance; }
 

@@ -4,6 +4,7 @@
 
 #include "core/export/export_option_table.h"
 #include "core/export/jobs/job_file.h"
+#include "core/export/manifest/manifest_settings.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/sheets/sheet_note.h"
 #include "core/export/shown.h"

@@ -142,8 +142,8 @@ bool haveSameCells(const ExportPlan& a, const ExportPlan& b)
 {
     const auto ofCells = [](const ExportPlan& plan) {
         return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.flipbook.columns,
-            plan.flipbook.rows, plan.format, plan.fitCamera, plan.flipbook.powerOfTwo, plan.flipbook.trim,
-            plan.flipbook.retime, plan.passes.has(Pass::Motion));
+            plan.flipbook.rows, plan.format, plan.fitCamera, plan.outlierPercent, plan.flipbook.powerOfTwo,
+            plan.flipbook.trim, plan.flipbook.retime, plan.passes.has(Pass::Motion));
     };
     return ofCells(a) == ofCells(b);
 }

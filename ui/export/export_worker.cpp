@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 
 #include <system_error>
+#include <utility>
 
 #include <QLocale>
 #include <QStringList>
@@ -73,9 +74,10 @@ void ExportWorker::endSoon(const Result<std::optional<Flipbook>>& result)
 
 void ExportWorker::end(const Result<std::optional<Flipbook>>& result)
 {
-    m_job.reset();
+    const std::shared_ptr<const ExportJob> job = std::exchange(m_job, nullptr);
     if (result) {
-        emit finished(result.value() && result.value()->cutOff ? complaint(*result.value()->cutOff) : QString());
+        emit finished(
+            result.value() && result.value()->cutOff ? complaint(*result.value()->cutOff, job->plan) : QString());
     } else if (result.error().code == ErrorCode::Cancelled) {
         emit cancelled();
     } else {
@@ -83,7 +85,7 @@ void ExportWorker::end(const Result<std::optional<Flipbook>>& result)
     }
 }
 
-QString ExportWorker::complaint(const CutOff& cut)
+QString ExportWorker::complaint(const CutOff& cut, const ExportPlan& plan)
 {
     QStringList edges;
     for (const auto& [reached, name] : {std::pair{cut.left, tr("left")}, std::pair{cut.right, tr("right")},
@@ -91,6 +93,12 @@ QString ExportWorker::complaint(const CutOff& cut)
         if (reached) {
             edges << name;
         }
+    }
+    if (plan.fitCamera && plan.outlierPercent > 0.0F) {
+        return tr("Outliers are cut off at the edge of cells (%1) in frames %2 to %3.")
+            .arg(edges.join(QStringLiteral(", ")))
+            .arg(cut.firstFrame)
+            .arg(cut.lastFrame);
     }
     const QString what = cut.distance > 0.0F
         ? tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera, or move it back to %4 "

@@ -36,7 +36,7 @@ signals:
     void failed(const QString& message);
 
 private:
-    [[nodiscard]] static QString complaint(const CutOff& cut);
+    [[nodiscard]] static QString complaint(const CutOff& cut, const ExportPlan& plan);
     void report(ProgressPhase work, int done, int total);
     /// On the thread of the work.
     void endSoon(const Result<std::optional<Flipbook>>& result);

@@ -5,6 +5,8 @@
 #include <QWidget>
 
 class QCheckBox;
+class QDoubleSpinBox;
+class QVBoxLayout;
 
 namespace fumage::ui {
 
@@ -32,7 +34,10 @@ signals:
     void changed();
 
 private:
+    void buildFit(QVBoxLayout& layout);
+
     QCheckBox* m_fit;
+    QDoubleSpinBox* m_outliers; ///< percent
     QCheckBox* m_carries;
     QCheckBox* m_manifest;
     QCheckBox* m_masks;

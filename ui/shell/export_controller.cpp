@@ -148,6 +148,7 @@ void ExportController::showOptions(const ExportPlan& plan)
     first.layers = plan.layers;
     first.flipbook = plan.flipbook;
     first.fitCamera = plan.fitCamera;
+    first.outlierPercent = plan.outlierPercent;
     first.project = plan.project;
     all.insert(all.begin(), first);
     dialog.take(all);

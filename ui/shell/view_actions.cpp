@@ -30,6 +30,9 @@ constexpr OverlayAction kOverlayActions[] = {
     {"view.readout", Overlay::Readout},
 };
 
+/// Of the smoke, as stray sparks have it.
+constexpr float kOutlierPercent = 1.0F;
+
 /// A view from a side; straight up and down would leave no horizon.
 struct Side {
     const char* action;
@@ -54,7 +57,8 @@ ViewActions::ViewActions(const ActionSet& actions, Document& document, Viewport&
     , m_fit(document)
 {
     m_actions.on("view.frameAll", &m_viewport, &Viewport::frameAll);
-    m_actions.on("view.frameAnimation", &m_fit, &CameraFit::start);
+    m_actions.on("view.frameAnimation", &m_fit, [this] { m_fit.start(); });
+    m_actions.on("view.frameWithoutOutliers", &m_fit, [this] { m_fit.start(kOutlierPercent); });
     for (const Side& side : kSides) {
         m_actions.on(side.action, this, [this, side] { m_viewport.lookFrom(side.yaw, side.pitch); });
     }
@@ -106,7 +110,7 @@ void ViewActions::showMenu(QPoint global)
         }
         menu->addSeparator();
     };
-    add({"view.frameAll", "view.frameAnimation", "view.resetCamera"});
+    add({"view.frameAll", "view.frameAnimation", "view.frameWithoutOutliers", "view.resetCamera"});
     add({"view.front", "view.right", "view.top", "view.back", "view.left", "view.bottom"});
     for (const OverlayAction& entry : kOverlayActions) {
         menu->addAction(&m_actions.get(entry.action));

@@ -32,15 +32,16 @@ CameraFit::CameraFit(Document& document)
     });
 }
 
-void CameraFit::start()
+void CameraFit::start(float outliers)
 {
+    m_outliers = outliers;
     m_running = true;
     post();
 }
 
 void CameraFit::post()
 {
-    m_job.post({m_document.scene(), ++m_number});
+    m_job.post({m_document.scene(), m_outliers, ++m_number});
 }
 
 void CameraFit::report(const Request& request, std::function<void()> news)
@@ -66,7 +67,8 @@ void CameraFit::work(const Request& request, const std::stop_token& stop)
                 request, [this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
         }
     };
-    const Result<Camera> camera = fitCamera(request.scene, {0, request.scene.timeline.length - 1, 1}, {progress, stop});
+    const Result<Camera> camera =
+        fitCamera(request.scene, {0, request.scene.timeline.length - 1, 1}, {progress, stop}, request.outliers);
     report(request, [this, camera] { end(camera); });
 }
 
@@ -75,7 +77,9 @@ void CameraFit::end(const Result<Camera>& camera)
     m_running = false;
     if (camera) {
         m_document.moveCamera(camera.value());
-        emit news(tr("The camera shows all smoke of the animation"), kShownMs);
+        emit news(m_outliers > 0.0F ? tr("The camera shows the smoke of the animation without outliers")
+                                    : tr("The camera shows all smoke of the animation"),
+            kShownMs);
     } else {
         emit news(translated(camera.error()), kShownMs);
     }

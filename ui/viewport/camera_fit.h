@@ -7,8 +7,8 @@
 
 namespace fumage::ui {
 
-/// Moves the document's camera so that all smoke of the whole animation is in the picture. On a thread of its own; a
-/// change of the document meanwhile begins it anew.
+/// Moves the document's camera so that all smoke of the whole animation, or all but outliers, is in the picture. On a
+/// thread of its own; a change of the document meanwhile begins it anew.
 class CameraFit : public QObject {
     Q_OBJECT
 
@@ -16,7 +16,8 @@ public:
     explicit CameraFit(Document& document);
 
     [[nodiscard]] bool isRunning() const { return m_running; }
-    void start();
+    /// @param outliers percent of the smoke that may be outside; see fitCamera()
+    void start(float outliers = 0.0F);
 
 signals:
     /// @param message for the artist
@@ -28,6 +29,7 @@ signals:
 private:
     struct Request {
         Scene scene;
+        float outliers = 0.0F;
         int number = 0;
     };
     void post();
@@ -38,6 +40,7 @@ private:
 
     Document& m_document;
     bool m_running = false;
+    float m_outliers = 0.0F; ///< of the newest request
     int m_number = 0; ///< of the newest request: news of others are old
     LatestOnlyWorker<Request> m_job; ///< last: its thread ends first
 };
