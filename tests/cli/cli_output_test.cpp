@@ -198,6 +198,15 @@ private slots:
         QVERIFY(!bookWith(options).error.contains("cut off"));
         QVERIFY(!bookWith({"--fit"}).error.contains("cut off"));
         QCOMPARE(run({"fit", "default", "--frames", "0", "--set", "look.opacity=0"}).code, 3);
+
+        const Outcome nearer = run(QStringList{"fit"} + smoke + QStringList{"--ignore-outliers", "5"});
+        QCOMPARE(nearer.code, 0);
+        QVERIFY(nearer.out != fit.out);
+        QCOMPARE(run(QStringList{"fit"} + smoke + QStringList{"--ignore-outliers", "0"}).out, fit.out);
+        const Outcome cut = bookWith({"--fit", "--ignore-outliers", "5"});
+        QVERIFY2(cut.code == 0 && !cut.error.contains("--fit moves"), cut.error);
+        QCOMPARE(bookWith({"--fit", "--ignore-outliers", "6"}).code, 2);
+        QCOMPARE(bookWith({"--ignore-outliers", "1"}).code, 2); // of what is not fitted
     }
 
     void outputsAreNamedAsTheUserMeans_data()

@@ -95,6 +95,22 @@ private slots:
         QVERIFY(document.effect().camera == fitted(shortEffect()));
     }
 
+    void outliersMayBeLeftOutside()
+    {
+        Document document;
+        document.load(presetOf(shortEffect()), {});
+        CameraFit fit(document);
+        QSignalSpy ended(&fit, &CameraFit::ended);
+        QSignalSpy news(&fit, &CameraFit::news);
+        fit.start(2.0F);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatienceMs);
+        const Effect effect = shortEffect();
+        const FrameRange all{0, effect.timeline.length - 1, 1};
+        QVERIFY(document.effect().camera == fitCamera(effect, all, {}, 2.0F).value());
+        QVERIFY(document.effect().camera.distance < fitted(effect).distance);
+        QVERIFY(news.last().first().toString().contains(u"outliers"_q));
+    }
+
     void anotherDocumentKeepsItsCamera()
     {
         Document document;

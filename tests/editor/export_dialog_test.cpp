@@ -700,6 +700,7 @@ private slots:
             {"export.trim", "export.powerOfTwo", "export.retimes", "export.fit", "export.carries", "export.manifest"}) {
             child<QCheckBox>(QLatin1String(box))->click();
         }
+        child<QDoubleSpinBox>(u"export.outliers"_q)->setValue(0.75);
         child<QPushButton>(u"export.addPack"_q)->click();
         child<QComboBox>(u"export.pack1.size"_q)->setCurrentIndex(2);
         child<QComboBox>(u"export.pack1.channel3"_q)->setCurrentText(u"motion.r"_q);

@@ -7,7 +7,12 @@
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulator.h"
 
+#include <limits>
+
 #include <QTemporaryDir>
+
+#include <glm/geometric.hpp>
+#include <tbb/global_control.h>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -69,6 +74,48 @@ Fill fillOf(const Effect& effect)
         static_cast<float>(bottom - top) / static_cast<float>(height));
     return fill;
 }
+
+/// A ball of smoke that stays where it is.
+Scene ball()
+{
+    Effect effect = risingSmoke();
+    effect.air.enabled = false;
+    effect.wind.strength = 0.0F;
+    effect.motion.buoyancy = 0.0F;
+    effect.emitter.shape = EmitterShape::Sphere;
+    effect.emitter.radius = 0.3F;
+    effect.emitter.speed = 0.05F;
+    return effect;
+}
+
+/// The same, and sparks that weigh next to nothing beside it.
+Scene ballAndSparks(const std::vector<glm::vec3>& places)
+{
+    Scene scene = ball();
+    for (const glm::vec3& place : places) {
+        Layer spark = scene.layers.front();
+        spark.name = "spark " + std::to_string(scene.layers.size());
+        spark.emitter.position = place;
+        spark.emitter.count = 12;
+        spark.emitter.radius = 0.01F;
+        spark.look.size = 0.03F;
+        scene.layers.push_back(spark);
+    }
+    return scene;
+}
+
+constexpr FrameRange kAllFrames{0, kFrames - 1, 1};
+
+Camera cameraFor(const Scene& scene, float outliers = 0.0F)
+{
+    const Result<Camera> camera = fitCamera(scene, kAllFrames, {}, outliers);
+    if (!camera) {
+        qFatal("%s", camera.error().text().c_str());
+    }
+    return camera.value();
+}
+
+constexpr glm::vec3 kAside{8.0F, 0.0F, 0.0F};
 
 } // namespace
 
@@ -158,10 +205,104 @@ private slots:
         }
     }
 
+    void sparksMayBeOutside_data()
+    {
+        QTest::addColumn<bool>("towardsTheCamera");
+        QTest::addColumn<float>("turntable");
+        QTest::newRow("aside") << false << 0.0F;
+        QTest::newRow("aside and towards the camera") << true << 0.0F;
+        QTest::newRow("around which a turntable goes") << false << 120.0F;
+    }
+    /// The smoke is as large as it is alone.
+    void sparksMayBeOutside()
+    {
+        QFETCH(bool, towardsTheCamera);
+        QFETCH(float, turntable);
+        Scene alone = ball();
+        Scene both = towardsTheCamera ? ballAndSparks({kAside, {0.0F, 0.0F, 4.0F}}) : ballAndSparks({kAside});
+        alone.camera.turntable = both.camera.turntable = turntable;
+        const Camera all = cameraFor(alone);
+        QVERIFY2(cameraFor(both).distance > 3.0F * all.distance, "sparks are seen");
+
+        const Camera found = cameraFor(both, 2.0F);
+        const auto seen = [&] { return QString::number(found.distance / all.distance); };
+        QVERIFY2(found.distance < 1.1F * all.distance, qPrintable(seen()));
+        QVERIFY2(found.distance > 0.9F * cameraFor(alone, 2.0F).distance, qPrintable(seen()));
+        QVERIFY(glm::distance(found.target, all.target) < 0.1F * all.distance);
+        QCOMPARE(found.yaw, both.camera.yaw);
+        QCOMPARE(found.focalLength, both.camera.focalLength);
+    }
+
+    void aGreaterShareNeverMakesTheSmokeSmaller()
+    {
+        const Scene scene = ballAndSparks({kAside, {-3.0F, 1.0F, 0.0F}, {0.5F, -2.0F, -1.0F}});
+        float before = cameraFor(scene).distance;
+        const float all = before;
+        for (const float outliers : {0.1F, 0.5F, 1.0F, 2.0F, 3.0F, 5.0F}) {
+            const float distance = cameraFor(scene, outliers).distance;
+            QVERIFY2(distance < 1.01F * before, qPrintable(QString::number(outliers))); // a pixel of 256 each way
+            before = distance;
+        }
+        QVERIFY(before < 0.5F * all);
+    }
+
+    void shareOfNothingIsTheCameraThatSeesAll()
+    {
+        const Scene scene = ballAndSparks({kAside});
+        const Camera all = fitCamera(scene, kAllFrames).value();
+        for (const float outliers : {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+            QVERIFY(cameraFor(scene, outliers) == all);
+        }
+        QVERIFY(cameraFor(scene, 80.0F) == cameraFor(scene, kMaxOutlierPercent));
+    }
+
+    void twoOfAKindAreNoOutliers()
+    {
+        Scene scene = ball();
+        scene.layers.push_back(scene.layers.front());
+        scene.layers.back().name = "other";
+        scene.layers.back().emitter.position = kAside;
+        QVERIFY(cameraFor(scene, kMaxOutlierPercent).distance > 0.8F * cameraFor(scene).distance);
+    }
+
+    void outliersAreTheSameOnAnyNumberOfThreads()
+    {
+        const Scene scene = ballAndSparks({kAside});
+        const Camera many = cameraFor(scene, 1.0F);
+        tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        QVERIFY(cameraFor(scene, 1.0F) == many);
+    }
+
+    void exportsLeaveOutliersOutside()
+    {
+        const Scene scene = ballAndSparks({kAside});
+        ExportPlan plan;
+        plan.kind = ExportKind::Flipbook;
+        plan.frames = kAllFrames;
+        plan.outlierPercent = 2.0F;
+        QVERIFY(sceneSeenBy(scene, plan).value().camera == scene.camera); // nobody has asked for a fit
+        plan.fitCamera = true;
+        QVERIFY(sceneSeenBy(scene, plan).value().camera == cameraFor(scene, 2.0F));
+    }
+
+    void progressReachesItsEndWithOutliersToo()
+    {
+        int told = 0;
+        int all = 0;
+        const auto listener = [&](int done, int total) {
+            QVERIFY(done >= told && done <= total);
+            told = done;
+            all = total;
+        };
+        QVERIFY(fitCamera(ballAndSparks({kAside}), {0, 8, 1}, {listener, {}}, 1.0F).ok());
+        QCOMPARE(told, all);
+    }
+
     void withoutSmokeThereIsNothingToFit()
     {
         Effect effect = risingSmoke();
         effect.look.opacity = 0.0F;
+        QCOMPARE(fitCamera(effect, {0, 3, 1}, {}, 1.0F).error().code, ErrorCode::OutOfRange);
         const Result<Camera> camera = fitCamera(effect, {0, 3, 1});
         QVERIFY(!camera.ok());
         QCOMPARE(camera.error().code, ErrorCode::OutOfRange);

@@ -150,6 +150,18 @@ private slots:
         QVERIFY(std::max(reach.x, reach.y) < kMax + 1e-3F);
     }
 
+    void whatIsFramedIsBetweenTheMargins()
+    {
+        const Discs discs = somewhere();
+        Framing framing(Camera(), kWidth, kHeight);
+        const PictureReach inner = framing.inner();
+        QCOMPARE(inner, (PictureReach{.left = 4, .right = kWidth - 4, .top = 2, .bottom = kHeight - 2}));
+        framing.addParticles(discs.particles, discs.appearance, 0.0F);
+        const glm::vec2 reach = reachThrough(framing.camera(), discs, 0.0F);
+        QVERIFY(reach.x * 0.5F * kWidth < 0.5F * kWidth - static_cast<float>(inner.left) + 0.1F);
+        QVERIFY(reach.y * 0.5F * kHeight < 0.5F * kHeight - static_cast<float>(inner.top) + 0.1F);
+    }
+
     void clearParticlesNeedNoRoom()
     {
         Discs discs({{0.0F, 0.0F, 0.0F, 0.2F}, {100.0F, 0.0F, 0.0F, 1.0F}});
