@@ -18,7 +18,7 @@ Result<std::string> optionsFor(const Scene& scene, const ExportPlan& plan)
     Scene fitted = scene;
     {
         ProgressBar bar("Looking");
-        const Result<Camera> camera = fitCamera(scene, plan.frames, bar.task(), plan.outlierPercent);
+        const Result<Camera> camera = fitCamera(scene, plan.frames, plan.outlierPercent, bar.task());
         if (!camera) {
             return camera.error();
         }

@@ -268,7 +268,7 @@ private:
 
 } // namespace
 
-Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, const Task& task, float outliers)
+Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, float outliers, const Task& task)
 {
     const double share = outliers > 0.0F ? std::min(kPercent * static_cast<double>(outliers), kMaxShare) : 0.0;
     return withinMemory([&] { return Fitting(scene, frames, task, share).run(); });

@@ -20,13 +20,19 @@ inline constexpr float kMaxOutlierPercent = 5.0F;
 /// share is left outside, see cutOutliers(). What is left outside may be cut off at the border. Sparks that fly towards
 /// the camera do not hold it off where they are no more than that share of the smoke; they may pass it.
 /// @param effect   its quality is taken to be good
-/// @param task     hears of ProgressPhase::Fitting after each frame that was looked at; each is looked at several times
 /// @param outliers percent of the smoke that may be outside, taken to be within 0 to kMaxOutlierPercent; 0: none, and
 ///                 the camera is as without them to the bit
+/// @param task     hears of ProgressPhase::Fitting after each frame that was looked at; each is looked at several times
 /// @error Cancelled, OutOfMemory; OutOfRange where no frame has smoke
 /// O(frames), each as a frame of a sequence at a small size, three times; six times with outliers, and then 2 KB of
 /// memory a frame.
 [[nodiscard]] Result<Camera> fitCamera(
-    const Scene& scene, const FrameRange& frames, const Task& task = {}, float outliers = 0.0F);
+    const Scene& scene, const FrameRange& frames, float outliers, const Task& task = {});
+
+/// The same without outliers.
+[[nodiscard]] inline Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, const Task& task = {})
+{
+    return fitCamera(scene, frames, 0.0F, task);
+}
 
 } // namespace fumage

@@ -208,7 +208,7 @@ Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const Task
     }
     out.output = output.value();
     if (plan.fitCamera && isPicture(plan.kind)) {
-        const Result<Camera> camera = fitCamera(out, framesOf(plan), task, plan.outlierPercent);
+        const Result<Camera> camera = fitCamera(out, framesOf(plan), plan.outlierPercent, task);
         if (!camera) {
             return camera.error();
         }

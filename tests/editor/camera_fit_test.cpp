@@ -106,7 +106,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatienceMs);
         const Effect effect = shortEffect();
         const FrameRange all{0, effect.timeline.length - 1, 1};
-        QVERIFY(document.effect().camera == fitCamera(effect, all, {}, 2.0F).value());
+        QVERIFY(document.effect().camera == fitCamera(effect, all, 2.0F).value());
         QVERIFY(document.effect().camera.distance < fitted(effect).distance);
         QVERIFY(news.last().first().toString().contains(u"outliers"_q));
     }

@@ -1,6 +1,7 @@
 // After a fit the borders of every picture are clear, and the smoke fills what is between them.
 #include "tests/helpers.h"
 
+#include "core/base/parallel.h"
 #include "core/export/fit_camera.h"
 #include "core/export/plan.h"
 #include "core/rendering/framing.h"
@@ -12,7 +13,6 @@
 #include <QTemporaryDir>
 
 #include <glm/geometric.hpp>
-#include <tbb/global_control.h>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -108,7 +108,7 @@ constexpr FrameRange kAllFrames{0, kFrames - 1, 1};
 
 Camera cameraFor(const Scene& scene, float outliers = 0.0F)
 {
-    const Result<Camera> camera = fitCamera(scene, kAllFrames, {}, outliers);
+    const Result<Camera> camera = fitCamera(scene, kAllFrames, outliers);
     if (!camera) {
         qFatal("%s", camera.error().text().c_str());
     }
@@ -269,7 +269,7 @@ private slots:
     {
         const Scene scene = ballAndSparks({kAside});
         const Camera many = cameraFor(scene, 1.0F);
-        tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        const ThreadLimit one(1);
         QVERIFY(cameraFor(scene, 1.0F) == many);
     }
 
@@ -294,7 +294,7 @@ private slots:
             told = done;
             all = total;
         };
-        QVERIFY(fitCamera(ballAndSparks({kAside}), {0, 8, 1}, {listener, {}}, 1.0F).ok());
+        QVERIFY(fitCamera(ballAndSparks({kAside}), {0, 8, 1}, 1.0F, {listener, {}}).ok());
         QCOMPARE(told, all);
     }
 
@@ -302,7 +302,7 @@ private slots:
     {
         Effect effect = risingSmoke();
         effect.look.opacity = 0.0F;
-        QCOMPARE(fitCamera(effect, {0, 3, 1}, {}, 1.0F).error().code, ErrorCode::OutOfRange);
+        QCOMPARE(fitCamera(effect, {0, 3, 1}, 1.0F).error().code, ErrorCode::OutOfRange);
         const Result<Camera> camera = fitCamera(effect, {0, 3, 1});
         QVERIFY(!camera.ok());
         QCOMPARE(camera.error().code, ErrorCode::OutOfRange);

@@ -68,7 +68,7 @@ void CameraFit::work(const Request& request, const std::stop_token& stop)
         }
     };
     const Result<Camera> camera =
-        fitCamera(request.scene, {0, request.scene.timeline.length - 1, 1}, {progress, stop}, request.outliers);
+        fitCamera(request.scene, {0, request.scene.timeline.length - 1, 1}, request.outliers, {progress, stop});
     report(request, [this, camera] { end(camera); });
 }
 
