@@ -97,8 +97,9 @@ Scene ballAndSparks(const std::vector<glm::vec3>& places)
         spark.name = "spark " + std::to_string(scene.layers.size());
         spark.emitter.position = place;
         spark.emitter.count = 12;
-        spark.emitter.radius = 0.01F;
-        spark.look.size = 0.03F;
+        spark.emitter.radius = 0.005F;
+        spark.emitter.speed = 0.0F;
+        spark.look.size = 0.02F;
         scene.layers.push_back(spark);
     }
     return scene;
