@@ -355,6 +355,10 @@
         <source>&amp;Into my engine…</source>
         <translation>&amp;Till min spelmotor…</translation>
     </message>
+    <message>
+        <source>Frame the animation without outlier&amp;s</source>
+        <translation>Visa animationen utan &amp;ströpartiklar</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -365,6 +369,10 @@
     <message>
         <source>The camera shows all smoke of the animation</source>
         <translation>Kameran visar all rök i animationen</translation>
+    </message>
+    <message>
+        <source>The camera shows the smoke of the animation without outliers</source>
+        <translation>Kameran visar animationens rök utan ströpartiklar</translation>
     </message>
 </context>
 <context>
@@ -1149,6 +1157,10 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.</source>
         <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3. Anpassa kameran.</translation>
+    </message>
+    <message>
+        <source>Outliers are cut off at the edge of cells (%1) in frames %2 to %3.</source>
+        <translation>Ströpartiklar skärs av vid cellernas kant (%1) i bildrutorna %2 till %3.</translation>
     </message>
 </context>
 <context>
@@ -5940,6 +5952,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Channels of an EXR that say how much of each layer is seen: together they are its alpha</source>
         <translation>Kanaler i en EXR som säger hur mycket av varje lager som syns: tillsammans är de dess alfa</translation>
+    </message>
+    <message>
+        <source>Ignore outliers</source>
+        <translation>Bortse från ströpartiklar</translation>
+    </message>
+    <message>
+        <source>How much of the smoke may be outside, such as stray sparks, so that the rest is larger</source>
+        <translation>Hur mycket av röken som får hamna utanför, som enstaka gnistor, så att resten blir större</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
     </message>
 </context>
 <context>

@@ -355,6 +355,10 @@
         <source>&amp;Into my engine…</source>
         <translation>导入我的引擎(&amp;I)…</translation>
     </message>
+    <message>
+        <source>Frame the animation without outlier&amp;s</source>
+        <translation>显示动画，忽略离群(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -365,6 +369,10 @@
     <message>
         <source>The camera shows all smoke of the animation</source>
         <translation>摄像机已显示动画中的全部烟雾</translation>
+    </message>
+    <message>
+        <source>The camera shows the smoke of the animation without outliers</source>
+        <translation>摄像机显示动画中的烟雾，忽略离群部分</translation>
     </message>
 </context>
 <context>
@@ -1149,6 +1157,10 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.</source>
         <translation>第 %2 至 %3 帧的烟雾在单元格边缘（%1）被截断。请让摄像机适应烟雾。</translation>
+    </message>
+    <message>
+        <source>Outliers are cut off at the edge of cells (%1) in frames %2 to %3.</source>
+        <translation>离群部分在第 %2 至 %3 帧的单元格边缘（%1）被裁掉。</translation>
     </message>
 </context>
 <context>
@@ -5940,6 +5952,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Channels of an EXR that say how much of each layer is seen: together they are its alpha</source>
         <translation>EXR 的通道，说明每个图层可见多少：合计即为其 alpha</translation>
+    </message>
+    <message>
+        <source>Ignore outliers</source>
+        <translation>忽略离群</translation>
+    </message>
+    <message>
+        <source>How much of the smoke may be outside, such as stray sparks, so that the rest is larger</source>
+        <translation>允许多少烟雾（如零星火花）位于画面之外，使其余部分更大</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
     </message>
 </context>
 <context>
