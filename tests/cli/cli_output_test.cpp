@@ -205,7 +205,7 @@ private slots:
         QCOMPARE(run(QStringList{"fit"} + smoke + QStringList{"--ignore-outliers", "0"}).out, fit.out);
         const Outcome cut = bookWith({"--fit", "--ignore-outliers", "5"});
         QVERIFY2(cut.code == 0 && !cut.error.contains("--fit moves"), cut.error);
-        QCOMPARE(bookWith({"--fit", "--ignore-outliers", "6"}).code, 2);
+        QCOMPARE(bookWith({"--fit", "--ignore-outliers", "6"}).code, 3);
         QCOMPARE(bookWith({"--ignore-outliers", "1"}).code, 2); // of what is not fitted
     }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kWidth = 64;
 constexpr int kHeight = 48;
 constexpr float kAlpha = 0.01F;
-constexpr double kMost = 0.05;
+constexpr double kMaxShare = 0.05;
 
 Image clearImage()
 {
@@ -77,7 +77,7 @@ private slots:
     void withoutAShareTheCutIsTheBoxOfWhatIsSeen()
     {
         const SmokeTally tally = bodyAndSpark();
-        const OutlierCut cut = cutOutliers(tally, tally.whole(), 0.0, kMost);
+        const OutlierCut cut = cutOutliers(tally, tally.whole(), 0.0, kMaxShare);
         QCOMPARE(cut.reach, kBoth);
         QCOMPARE(cut.lost, 0.0);
     }
@@ -86,25 +86,27 @@ private slots:
     {
         const SmokeTally tally = bodyAndSpark();
         constexpr double kCost = 2.0 / 402.0;
-        const OutlierCut enough = cutOutliers(tally, tally.whole(), 1.01 * kCost, kMost);
+        const OutlierCut enough = cutOutliers(tally, tally.whole(), 1.01 * kCost, kMaxShare);
         QCOMPARE(enough.reach, kBody);
         QVERIFY(near(enough.lost, kCost, 1e-9));
-        QCOMPARE(cutOutliers(tally, tally.whole(), 0.99 * kCost, kMost).reach, kBoth);
+        QCOMPARE(cutOutliers(tally, tally.whole(), 0.99 * kCost, kMaxShare).reach, kBoth);
     }
 
     void aLineOfTheBodyIsNoOutlier()
     {
         const SmokeTally tally = bodyAndSpark(); // a line weighs 1/20
-        QCOMPARE(cutOutliers(tally, tally.whole(), kMost, kMost).reach, kBody);
+        QCOMPARE(cutOutliers(tally, tally.whole(), kMaxShare, kMaxShare).reach, kBody);
     }
 
     void whatIsOutsideTheWindowDoesNotCount()
     {
         const SmokeTally tally = bodyAndSpark();
-        const OutlierCut cut = cutOutliers(tally, {.left = 5, .right = 40, .top = 12, .bottom = kHeight}, 0.0, kMost);
+        const OutlierCut cut =
+            cutOutliers(tally, {.left = 5, .right = 40, .top = 12, .bottom = kHeight}, 0.0, kMaxShare);
         QCOMPARE(cut.reach, kBody);
         QCOMPARE(cut.lost, 0.0);
-        QVERIFY(cutOutliers(tally, {.left = 0, .right = 9, .top = 0, .bottom = 9}, kMost, kMost).reach.isEmpty());
+        QVERIFY(
+            cutOutliers(tally, {.left = 0, .right = 9, .top = 0, .bottom = 9}, kMaxShare, kMaxShare).reach.isEmpty());
     }
 
     void halvesAreNoOutliers()
@@ -114,18 +116,18 @@ private slots:
         fill(image, {.left = 0, .right = 1, .top = 4, .bottom = 5}, 0.5F);
         fill(image, {.left = 63, .right = 64, .top = 40, .bottom = 41}, 0.5F);
         tally.add(image);
-        QCOMPARE(cutOutliers(tally, tally.whole(), kMost, kMost).reach,
+        QCOMPARE(cutOutliers(tally, tally.whole(), kMaxShare, kMaxShare).reach,
             (PictureReach{.left = 0, .right = 64, .top = 4, .bottom = 41}));
     }
 
     void aGreaterShareLeavesWhatIsWithinThatOfALesserOne()
     {
         const SmokeTally tally = softSmoke();
-        OutlierCut before = cutOutliers(tally, tally.whole(), 0.0, kMost);
+        OutlierCut before = cutOutliers(tally, tally.whole(), 0.0, kMaxShare);
         const PictureReach all = before.reach;
         for (int step = 1; step <= 50; ++step) {
             const double share = 0.001 * step;
-            const OutlierCut cut = cutOutliers(tally, tally.whole(), share, kMost);
+            const OutlierCut cut = cutOutliers(tally, tally.whole(), share, kMaxShare);
             QVERIFY(cut.lost <= share + 1e-12 && cut.lost >= before.lost);
             QVERIFY(cut.reach.left >= before.reach.left && cut.reach.right <= before.reach.right
                 && cut.reach.top >= before.reach.top && cut.reach.bottom <= before.reach.bottom);
@@ -137,7 +139,7 @@ private slots:
     void whatIsLostIsWhatLiesOutside()
     {
         const SmokeTally tally = softSmoke();
-        const OutlierCut cut = cutOutliers(tally, tally.whole(), 0.03, kMost);
+        const OutlierCut cut = cutOutliers(tally, tally.whole(), 0.03, kMaxShare);
         double outside = 0.0;
         double all = 0.0;
         for (int y = 0; y < kHeight; ++y) {
@@ -159,7 +161,7 @@ private slots:
         Image image = clearImage();
         fill(image, kBody, 0.5F * kAlpha);
         tally.add(image);
-        QVERIFY(cutOutliers(tally, tally.whole(), 0.01, kMost).reach.isEmpty());
+        QVERIFY(cutOutliers(tally, tally.whole(), 0.01, kMaxShare).reach.isEmpty());
         QVERIFY(tally.reachIn(0, tally.whole()).isEmpty());
     }
 

@@ -16,7 +16,8 @@ std::filesystem::path placeOf(const std::filesystem::path& folder)
     // Of what is not there yet weakly_canonical() leaves a relative path as it is, and makes it whole once it is there.
     const std::filesystem::path place = std::filesystem::absolute(folder.empty() ? "." : folder, unknown);
     const std::filesystem::path whole = unknown ? place : std::filesystem::weakly_canonical(place, unknown);
-    return unknown ? folder.lexically_normal() : whole;
+    const std::filesystem::path found = unknown ? folder.lexically_normal() : whole;
+    return found.has_filename() ? found : found.parent_path(); // "a/b/.." is "a/"
 }
 
 /// A folder, and what stands for it where files are compared.
