@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/kept_apart.h"
 #include "app/cli/number_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
@@ -148,12 +149,10 @@ Status writePreset(const FarmJob& job, const NamedPreset& named, const Scene& se
 Status keepApart(const std::string& preset, const FarmJob& job, const FarmFiles& made, std::string_view ending,
     JobFiles& writtenBefore)
 {
-    std::vector<std::filesystem::path> files{job.folder / pathFrom(presetFileOf(job))};
+    std::vector<std::filesystem::path> files = pathsOf({job.folder / pathFrom(job.output), job.frames, ending, {}});
+    files.push_back(job.folder / pathFrom(presetFileOf(job)));
     for (const FarmFile& file : made.files) {
         files.push_back(file.path);
-    }
-    for (int i = 0; i < job.frames.count(); ++i) {
-        files.push_back(framePath(job.folder / pathFrom(job.output), job.frames, ending, job.frames.at(i)));
     }
     return writtenBefore.add(preset, files);
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace fumage {
 class JobFiles;
@@ -12,6 +13,9 @@ struct ExportPlan;
 } // namespace fumage
 
 namespace fumage::cli {
+
+/// The files of all frames, in their order.
+[[nodiscard]] std::vector<std::filesystem::path> pathsOf(const NumberedFiles& files);
 
 /// Takes the files of a preset in among those that the command writes, before they are written.
 /// @param written those of the presets before

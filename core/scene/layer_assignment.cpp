@@ -9,29 +9,25 @@ namespace fumage {
 
 namespace {
 
-/// The layers whose name it is, whether A to Z are small or not.
-std::vector<std::size_t> layersLike(const Scene& scene, std::string_view name)
+/// The one layer whose name it is, whether A to Z are small or not; none where nobody is called so.
+/// @error UnknownName where several are
+Result<std::optional<std::size_t>> layerLike(const Scene& scene, std::string_view name)
 {
     const std::string small = inSmallLetters(name);
-    std::vector<std::size_t> layers;
+    std::optional<std::size_t> like;
+    std::size_t count = 0;
+    std::string names;
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
-        if (inSmallLetters(scene.layers[i].name) == small) {
-            layers.push_back(i);
+        if (const std::string& own = scene.layers[i].name; inSmallLetters(own) == small) {
+            like = i;
+            names += (count++ == 0 ? "" : ", ") + inQuotes(own) + " (" + std::to_string(i + 1) + ")";
         }
     }
-    return layers;
-}
-
-/// @param layers two or more
-Error severalNamed(const Scene& scene, std::string_view name, const std::vector<std::size_t>& layers)
-{
-    std::string names;
-    for (const std::size_t layer : layers) {
-        names +=
-            (names.empty() ? "" : ", ") + inQuotes(scene.layers[layer].name) + " (" + std::to_string(layer + 1) + ")";
+    if (count > 1) {
+        return Error{ErrorCode::UnknownName, makeMessage("there is no one layer %1, but %2", inQuotes(name), names), {},
+            makeMessage("Write the name as it is, or where they share it the number")};
     }
-    return {ErrorCode::UnknownName, makeMessage("there is no one layer %1, but %2", inQuotes(name), names), {},
-        makeMessage("Write the name as it is, or where they share it the number")};
+    return like;
 }
 
 } // namespace
@@ -41,9 +37,12 @@ Result<std::size_t> layerNamed(const Scene& scene, std::string_view name)
     if (const std::optional<std::size_t> layer = findLayer(scene, name)) {
         return *layer;
     }
-    const std::vector<std::size_t> like = layersLike(scene, name);
-    if (!like.empty()) {
-        return like.size() == 1 ? Result<std::size_t>(like.front()) : severalNamed(scene, name, like);
+    const Result<std::optional<std::size_t>> like = layerLike(scene, name);
+    if (!like) {
+        return like.error();
+    }
+    if (like.value()) {
+        return *like.value();
     }
     std::string names;
     for (const Layer& layer : scene.layers) {
@@ -81,12 +80,15 @@ Status forNamed(const Scene& scene, std::string_view names, const Visit& visit)
 /// @error UnknownName where several are called so but for their capital letters
 Result<std::string> nameInScene(const Scene& scene, std::string_view name)
 {
-    const std::vector<std::size_t> like = layersLike(scene, name);
     const bool isThere = std::ranges::any_of(scene.layers, [&](const Layer& each) { return each.name == name; });
-    if (name.empty() || isThere || like.empty()) {
+    if (name.empty() || isThere) {
         return std::string(name);
     }
-    return like.size() == 1 ? Result<std::string>(scene.layers[like.front()].name) : severalNamed(scene, name, like);
+    const Result<std::optional<std::size_t>> like = layerLike(scene, name);
+    if (!like) {
+        return like.error();
+    }
+    return like.value() ? scene.layers[*like.value()].name : std::string(name);
 }
 
 /// Lets a layer be born on another. Nothing is changed where that cannot be.
