@@ -488,7 +488,8 @@ private:
         addKey(m_window->document(), kKeyed);
         addMarkerHere(m_window->document());
         auto* bar = m_window->findChild<TimelineBar*>();
-        QTRY_VERIFY(bar->lanes().isVisible() && bar->markers().isVisible());
+        bar->setShowsGraph(true);
+        QTRY_VERIFY(bar->lanes().isVisible() && bar->graph().isVisible() && bar->markers().isVisible());
     }
 
     /// Where the handle of the emitter's normal is on the screen.
@@ -528,6 +529,9 @@ private:
         TimelineRuler& ruler = bar.ruler();
         drags.append({&ruler, [&ruler] { return QPoint(ruler.width() / 3, ruler.height() / 2); }});
         drags.append({&bar.markers(), [&bar] { return bar.markers().flagOf(0).center().toPoint(); }});
+        const auto key = [this] { return KeyPlace{&kKeyed, m_window->document().track(kKeyed)->keys.front().seconds}; };
+        drags.append({&bar.lanes(), [&bar, key] { return bar.lanes().placeOf(key()).toPoint(); }});
+        drags.append({&bar.graph(), [&bar, key] { return bar.graph().placeOf(key()).toPoint(); }});
         QWidget* surface = m_window->viewport().surface();
         drags.append({surface, [this] { return normalOnScreen(); }});
         drags.append({surface, [] { return QPoint(20, 20); }});

@@ -3,7 +3,6 @@
 #include "ui/timeline/key_clipboard.h"
 #include "ui/timeline/key_drag.h"
 #include "ui/timeline/key_menu.h"
-#include "ui/widgets/field_keys.h"
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
@@ -32,8 +31,6 @@ void KeyGraph::mousePressEvent(QMouseEvent* event)
     if (m_drag != Drag::None || (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton)) {
         return;
     }
-    leaveField(*this);
-    setFocus();
     m_nudges.end();
     m_press = m_at = event->position();
     m_hasMoved = false;

@@ -8,7 +8,6 @@
 #include "ui/timeline/timeline_marks.h"
 #include "ui/timeline/timeline_ruler.h"
 #include "ui/widgets/diamond.h"
-#include "ui/widgets/field_keys.h"
 #include "ui/widgets/gesture.h"
 #include "ui/widgets/plain_text.h"
 
@@ -129,8 +128,6 @@ void KeyLanes::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || m_drag != Drag::None) {
         return;
     }
-    leaveField(*this);
-    setFocus();
     m_press = m_at = event->position();
     m_hasMoved = false;
     if (const std::optional<KeyPlace> key = keyUnder(m_press)) {
