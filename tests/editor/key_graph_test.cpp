@@ -356,9 +356,9 @@ private slots:
                 if ((after && key + 1 == track.keys.size()) || (!after && key == 0)) {
                     continue;
                 }
-                constexpr double kNear = 1e-3;
+                constexpr double kBeside = 1e-3;
                 const double time = track.keys[key].seconds;
-                const double beside = time + (after ? kNear : -kNear);
+                const double beside = time + (after ? kBeside : -kBeside);
                 const double rise = static_cast<double>(std::get<float>(track.at(beside)))
                     - static_cast<double>(std::get<float>(track.at(time)));
                 const double slope = static_cast<double>(slopeAtKey(track, key, after).x);
