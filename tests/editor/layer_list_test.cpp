@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QClipboard>
+#include <QMenu>
 #include <QMimeData>
 #include <QToolButton>
 
@@ -193,7 +194,7 @@ private slots:
         const std::unique_ptr<QMimeData> dragged(model.mimeData({model.index(0, 0)}));
         model.dropMimeData(dragged.get(), Qt::MoveAction, 3, 0, {});
         QCOMPARE(names(m_document).last(), u"flames"_q);
-        list.findChild<QToolButton*>(u"layers.add"_q)->click();
+        list.findChild<QToolButton*>(u"layers.add"_q)->menu()->actions().first()->trigger();
         QCOMPARE(model.rowCount(), 4);
         list.findChild<QToolButton*>(u"layers.delete"_q)->click();
         QCOMPARE(model.rowCount(), 3);

@@ -32,6 +32,16 @@ std::string freeName(const Scene& scene, const QString& name)
     return free;
 }
 
+/// Of several layers each has a name: one that goes by its number would have another where it is moved.
+void nameAll(Scene& scene)
+{
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        if (scene.layers[i].name.empty()) {
+            scene.layers[i].name = freeName(scene, LayerEdits::tr("Layer %1").arg(i + 1));
+        }
+    }
+}
+
 /// No two layers move alike because they have one seed.
 std::uint32_t freeSeed(const Scene& scene, std::uint32_t seed)
 {
@@ -103,6 +113,7 @@ void addLayer(Document& document)
     if (scene.layers.size() >= kMaxLayers) {
         return;
     }
+    nameAll(scene);
     Layer added;
     added.name = freeName(scene, LayerEdits::tr("Layer %1").arg(scene.layers.size() + 1));
     added.emitter.seed = freeSeed(scene, added.emitter.seed);
@@ -117,6 +128,7 @@ std::size_t insertLayers(
     const Scene& other = added.scene;
     Scene scene = document.scene();
     const std::size_t fitting = std::min(other.layers.size(), kMaxLayers - scene.layers.size());
+    nameAll(scene);
     for (std::size_t i = 0; i < fitting; ++i) {
         Layer layer = other.layers[i];
         layer.name = freeName(scene, layer.name.empty() ? name : toQString(layer.name));

@@ -60,13 +60,27 @@ LayerList::LayerList(Document& document, Solo& solo, QWidget* parent)
     layout->addWidget(m_view, 1);
     layout->addLayout(buttons);
     const auto remove = [this] { removeLayers(m_document, chosen()); };
-    connect(m_add, &QToolButton::clicked, this, [this] { addLayer(m_document); });
+    fillAddMenu();
     connect(m_duplicate, &QToolButton::clicked, this, [this] { duplicateLayers(m_document, chosen()); });
     connect(m_remove, &QToolButton::clicked, this, remove);
     connect(m_view, &LayerView::deleteRequested, this, remove);
     connect(m_view, &QWidget::customContextMenuRequested, this, &LayerList::openMenu);
     connect(&document, &Document::selectionChanged, this, &LayerList::follow);
     follow();
+}
+
+/// The plain one first: Enter takes it.
+void LayerList::fillAddMenu()
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("layers.addMenu"));
+    menu->addAction(tr("Smoke"), this, [this] { addLayer(m_document); });
+    menu->addSeparator();
+    for (const LayerTemplate& one : layerTemplates()) {
+        menu->addAction(one.name, this, [this, one] { m_transfer.add(one); });
+    }
+    m_add->setMenu(menu);
+    m_add->setPopupMode(QToolButton::InstantPopup);
 }
 
 void LayerList::follow()

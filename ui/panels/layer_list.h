@@ -20,6 +20,7 @@ public:
     [[nodiscard]] LayerTransfer& transfer() { return m_transfer; }
 
 private:
+    void fillAddMenu();
     void follow();
     void openMenu(const QPoint& at);
     void addMarks(QMenu& menu, std::size_t layer);

@@ -63,6 +63,16 @@ void LayerTransfer::insert(const PresetReading& reading, const QString& name, st
     }
 }
 
+void LayerTransfer::add(const LayerTemplate& from)
+{
+    const Result<PresetReading> reading = layersOf(from, m_document);
+    if (!reading) {
+        emit refused(tr("Cannot add “%1”").arg(from.name), translated(reading.error()));
+        return;
+    }
+    insert(reading.value(), from.name, m_document.layer() + 1, tr("Add “%1”").arg(from.name));
+}
+
 void LayerTransfer::paste()
 {
     if (!canPaste()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/layer_clipboard.h"
+#include "ui/document/layer_templates.h"
 
 #include <QObject>
 
@@ -22,6 +23,8 @@ public:
     void cut(const LayerPlaces& layers);
     /// After the layer that is edited.
     void paste();
+    /// The same.
+    void add(const LayerTemplate& from);
     /// Asks for groups of parameters, and gives those of the first layer on the clipboard to layers.
     void pasteParameters(const LayerPlaces& layers);
     /// Layers that are dropped before a place of the list: a preset, or files of presets.

@@ -252,6 +252,22 @@ void KeyLanes::contextMenuEvent(QContextMenuEvent* event)
     menu.exec(event->globalPos());
 }
 
+double KeyLanes::labelLeft(const Track& track, const QString& label) const
+{
+    constexpr double kGap = 2.0 * kRadius;
+    const double needed = fontMetrics().horizontalAdvance(label) + kGap;
+    const double first = m_ruler.xOf(0.0) + kGap;
+    double left = first;
+    for (const KeyFrame& key : track.keys) {
+        const double x = m_ruler.xOf(key.seconds * frameRate());
+        if (left + needed <= x) {
+            break;
+        }
+        left = std::max(left, x + kGap);
+    }
+    return left + needed <= width() ? left : first;
+}
+
 void KeyLanes::paintLane(QPainter& painter, const Track& track, double top) const
 {
     const Parameter& parameter = *track.parameter;
@@ -284,8 +300,9 @@ void KeyLanes::paintLane(QPainter& painter, const Track& track, double top) cons
     QColor text = palette().text().color();
     text.setAlpha(170);
     painter.setPen(text);
-    painter.drawText(QRectF(m_ruler.xOf(0.0) + 2.0 * kRadius, top, width(), kLaneHeight - 1.0),
-        Qt::AlignLeft | Qt::AlignVCenter, (isWhole ? QString() : QStringLiteral("⚠ ")) + fullLabelOf(parameter));
+    const QString label = (isWhole ? QString() : QStringLiteral("⚠ ")) + fullLabelOf(parameter);
+    painter.drawText(
+        QRectF(labelLeft(track, label), top, width(), kLaneHeight - 1.0), Qt::AlignLeft | Qt::AlignVCenter, label);
     for (const KeyFrame& key : track.keys) {
         const bool chosen = m_selection.contains({&parameter, key.seconds});
         paintDiamond(painter, placeOf({&parameter, key.seconds}), kRadius,

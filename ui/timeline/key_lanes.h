@@ -60,6 +60,8 @@ private:
     [[nodiscard]] std::optional<KeyPlace> keyUnder(const QPointF& at) const;
     [[nodiscard]] std::vector<KeyPlace> keysIn(const QRectF& box) const;
     void dragKeys(const QPointF& to, bool stretches);
+    /// Where the name of a lane is read: in the first gap between its keys that is wide enough.
+    [[nodiscard]] double labelLeft(const Track& track, const QString& label) const;
     void paintLane(QPainter& painter, const Track& track, double top) const;
 
     Document& m_document;

@@ -29,7 +29,7 @@ inline constexpr std::array kRows<Emitter>{
         .key = "emitter.rate",
         .since = 2,
         .label = "Emission rate",
-        .synonyms = "birth spawn amount share on off fire lit goes out swell",
+        .synonyms = "birth spawn amount share on off fire lit goes out swell ignite extinguish",
         .hard = kUnit,
         .step = 0.01,
         .tip = "The share of the particles that are born: 1 all, 0 none. The source heats the air, and blows it up, as "
@@ -116,7 +116,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::position>({
         .key = "emitter.position",
         .label = "Position",
-        .synonyms = "place location source move origin",
+        .synonyms = "place location source move origin path carry swing",
         .kind = Kind::Vector,
         .hard = kFarAway,
         .soft = {-10, 10},

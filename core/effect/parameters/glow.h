@@ -15,7 +15,7 @@ inline constexpr std::array kRows<Glow>{
         .key = "glow.emission",
         .formerly = "light.emission",
         .label = "Fire brightness",
-        .synonyms = "flame fire glow burn heat hot incandescent emission",
+        .synonyms = "flame fire glow burn heat hot incandescent emission flash",
         .hard = {0, 1000},
         .soft = {0, 20},
         .step = 0.1,

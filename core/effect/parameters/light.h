@@ -23,7 +23,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::intensity>({
         .key = "light.intensity",
         .label = "Sun intensity",
-        .synonyms = "bright dark brightness sun strength dim light intensity",
+        .synonyms = "bright dark brightness sun strength dim light intensity flash lightning strobe",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.05,

@@ -62,7 +62,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::exposure>({
         .key = "output.exposure",
         .label = "Exposure",
-        .synonyms = "bright dark brightness gamma light dim",
+        .synonyms = "bright dark brightness gamma light dim flash",
         .hard = {-20, 20},
         .soft = {-4, 4},
         .step = 0.05,
