@@ -3,6 +3,8 @@
 #include "core/base/hash.h"
 #include "core/simulation/streams.h"
 
+#include <cmath>
+
 namespace fumage {
 
 Lifecycle lifecycle(const SimulationModel& model, const Particles& particles, std::int64_t step, std::size_t slot)
@@ -26,6 +28,21 @@ Lifecycle lifecycle(const SimulationModel& model, const Particles& particles, st
         out.alpha = effect.life.initialAlpha - fading * out.age;
         out.alpha = out.alpha > 0.0F ? out.alpha : 0.0F;
     }
+    return out;
+}
+
+Frame sparse(const Frame& frame, double share)
+{
+    const auto slots = static_cast<std::size_t>(std::ceil(static_cast<double>(frame.particles.capacity) * share));
+    Frame out{frame.model, frame.number, frame.step, {}};
+    out.particles.reset(slots, frame.particles.columns());
+    forEachColumn([&](const auto& column) {
+        const auto& from = column.of(frame.particles);
+        auto& to = column.of(out.particles);
+        for (std::size_t slot = 0; slot < slots && !from.empty(); ++slot) {
+            to[slot] = from[static_cast<std::size_t>(static_cast<double>(slot) / share)];
+        }
+    });
     return out;
 }
 

@@ -16,6 +16,11 @@ struct Frame {
     Particles particles;
 };
 
+/// A share of a frame's particles as they are, evenly of all that were born: for previews, drawn with the look of
+/// thinned().
+/// @param share over 0, up to 1
+[[nodiscard]] Frame sparse(const Frame& frame, double share);
+
 /// A layer of a picture: its particles and its look, whose simulation part is that of the frame. Both outlive it.
 struct LayerFrame {
     const Frame* frame = nullptr;

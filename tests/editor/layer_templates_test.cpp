@@ -71,7 +71,8 @@ private slots:
             QVERIFY2(there != source.layers.end(), from.layers[i]);
             const glm::vec3 expected = there->emitter.position - source.layers.front().emitter.position + kPlace;
             QVERIFY(glm::length(added.layers[i].emitter.position - expected) < 1e-6F);
-            QCOMPARE(parentOf(added, i).has_value(), parentOf(source, there - source.layers.begin()).has_value());
+            QCOMPARE(parentOf(added, i).has_value(),
+                parentOf(source, static_cast<std::size_t>(there - source.layers.begin())).has_value());
         }
     }
 

@@ -137,6 +137,26 @@ private slots:
         QCOMPARE(whole->image.size(), QSize(160, 120));
     }
 
+    /// A drag of the look shows the smoke that was there, and not another one.
+    void aDragThatSimulatesNothingDrawsWhatIsThere()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.count = 400000;
+        PreviewRenderer previewRenderer;
+        const RenderRequest still = requestFor(effect, 10);
+        const PicturePtr whole = previewRenderer.make(still, {});
+        for (int i = 0; i < 3; ++i) {
+            effect.look.opacity *= 1.001F;
+            RenderRequest request = requestFor(effect, 10);
+            request.previewQuality = PreviewQuality::Interactive;
+            const PicturePtr dragged = previewRenderer.make(request, {});
+            QVERIFY(dragged->thinned && !dragged->complete && dragged->particles < 400000);
+            QCOMPARE(dragged->layers.front().particles, 400000);
+            QCOMPARE(dragged->layers.front().particleSteps, 0.0);
+        }
+        QCOMPARE(previewRenderer.make(still, {})->image, whole->image);
+    }
+
     void coarserAirStandsInWhileTheHandMoves()
     {
         Effect effect = smallEffect();

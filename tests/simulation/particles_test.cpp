@@ -107,6 +107,33 @@ private slots:
             QCOMPARE(column.of(unrolled)[15], column.owner == ColumnOf::Rolling ? column.empty : column.of(full)[15]);
         });
     }
+
+    void aSparseFrameHasAnEvenShareOfTheParticlesAsTheyAre()
+    {
+        Frame frame;
+        frame.number = 7;
+        frame.particles = distinct();
+        for (std::size_t slot = 0; slot < frame.particles.capacity; ++slot) {
+            frame.particles.key[slot] = static_cast<std::uint32_t>(slot);
+            frame.particles.heat[slot] = static_cast<float>(slot);
+        }
+        for (const double share : {1.0, 0.9, 0.5, 1.0 / 3.0, 0.001}) {
+            const Frame few = sparse(frame, share);
+            QCOMPARE(few.number, 7);
+            const double expected = static_cast<double>(frame.particles.capacity) * share;
+            QVERIFY(std::abs(static_cast<double>(few.particles.capacity) - expected) < 1.0);
+            QVERIFY(few.particles.columns() == frame.particles.columns());
+            for (std::size_t slot = 0; slot < few.particles.capacity; ++slot) {
+                const double from = few.particles.key[slot];
+                QVERIFY(std::abs(from - static_cast<double>(slot) / share) <= 1.0);
+                QCOMPARE(few.particles.heat[slot], static_cast<float>(few.particles.key[slot]));
+                QCOMPARE(few.particles.vz[slot], frame.particles.vz[0]);
+            }
+            for (std::size_t slot = few.particles.capacity; slot < few.particles.birthStep.size(); ++slot) {
+                QCOMPARE(few.particles.birthStep[slot], Particles::kUnborn);
+            }
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(ParticlesTest)

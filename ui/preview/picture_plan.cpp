@@ -32,6 +32,12 @@ void PicturePlan::thinTo(int most)
     particles = static_cast<int>(particlesOf(layers));
 }
 
+void PicturePlan::drawSparsely(int most)
+{
+    sparse = layers;
+    thinLayers(sparse, most);
+}
+
 Schedule PicturePlan::longestSchedule() const
 {
     Schedule longest = makeSchedule(layers.front());
@@ -49,6 +55,15 @@ double PicturePlan::drawnShare() const
         sum += layers[layer]->emitter.count;
     }
     return sum / std::max(1, particles);
+}
+
+int PicturePlan::drawnParticles() const
+{
+    int sum = 0;
+    for (const std::size_t layer : drawn) {
+        sum += looks()[layer]->emitter.count;
+    }
+    return sum;
 }
 
 } // namespace fumage::ui

@@ -18,15 +18,23 @@ struct PicturePlan {
 
     /// Gives particles up, see thinLayers().
     void thinTo(int most);
+    /// Draws a share of the particles that are simulated.
+    /// @param most of all layers
+    void drawSparsely(int most);
     /// Takes the layers as they are in another scene, which differs in its surroundings.
     void takeLayersOf(const Scene& scene);
     /// The schedule of the layer whose particles live longest.
     [[nodiscard]] Schedule longestSchedule() const;
     /// Share of the particles that is drawn.
     [[nodiscard]] double drawnShare() const;
+    /// How many are drawn.
+    [[nodiscard]] int drawnParticles() const;
+    /// The layers as they are drawn.
+    [[nodiscard]] const std::vector<SampledEffect>& looks() const { return sparse.empty() ? layers : sparse; }
 
     quint64 simulation = 0;
     std::vector<SampledEffect> layers; ///< that are simulated, thinned where need be
+    std::vector<SampledEffect> sparse; ///< the same, where not all of their particles are drawn; else empty
     std::vector<SampledEffect> muted; ///< those that are not, as they would be
     std::vector<std::size_t> drawn; ///< places in layers: those that no solo hides
     int particles = 0; ///< of all layers

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/preview/cost_estimate.h"
+#include "ui/preview/picture_planner.h"
 #include "ui/preview/running_simulators.h"
 
 #include "core/rendering/renderer.h"
@@ -32,19 +32,9 @@ private:
     [[nodiscard]] PicturePtr lastPicked(const RenderRequest& request) const;
 
     using Plan = PicturePlan;
-    [[nodiscard]] Plan planFor(const RenderRequest& request);
-    /// Whether coarser air has to stand in for the air of a plan.
-    [[nodiscard]] bool lacksAir(const RenderRequest& request, const Plan& plan, const Schedule& schedule) const;
-    /// Whether all particles of a plan would be long in coming while frames are played.
-    [[nodiscard]] bool isSlowToBegin(const RenderRequest& request, const Plan& plan) const;
-    /// Gives up pixels, so that a picture comes in time.
-    void scaleDown(const RenderRequest& request, Quality quality, Plan& plan) const;
     void takePrepared(const RenderRequest& request, const Plan& plan);
     [[nodiscard]] bool bakeAir(const Plan& plan, int frame, Picture& picture, const std::stop_token& stop);
     void noteTrouble(const Error& error);
-    [[nodiscard]] int particlesWhileDragging(const Plan& plan, double preRoll) const;
-    [[nodiscard]] int particlesToSettle(int all, double preRoll) const;
-    [[nodiscard]] int particlesToPlay(const Plan& plan, double preRoll, double stepsAFrame) const;
     [[nodiscard]] std::optional<SceneFrame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
     [[nodiscard]] std::vector<LayerWork> workOf(const RenderRequest& request, const Plan& plan);
     [[nodiscard]] Status prepare(
@@ -56,13 +46,12 @@ private:
     std::shared_ptr<AirCache> m_shelf;
     WorkListener m_listener;
     std::optional<Error> m_trouble;
-    RunningSimulators m_simulators;
+    PicturePlanner m_planner;
     Renderer m_renderer;
     PicturePtr m_last; ///< of the sprites that the renderer has; null: it has none
     std::vector<std::size_t> m_drawn; ///< layers of the scene that they are of, in the renderer's order
     Image m_image;
     EncodedImage<std::uint8_t> m_encoded;
-    CostEstimate m_costs;
 };
 
 } // namespace fumage::ui
