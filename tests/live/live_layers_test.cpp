@@ -44,6 +44,10 @@ private slots:
         const std::vector<float> places = placesOf(live, 1);
         QCOMPARE(places.front(), 5.0F);
         QVERIFY(places.back() > 5.75F && places.back() <= 6.0F && places.size() > 4); // along the way
+        QCOMPARE(live.step(4.0 * live.stepSeconds()).value(), 4);
+        const std::vector<float> arrived = placesOf(live, 1);
+        QCOMPARE(arrived.back(), 6.0F);
+        QVERIFY(arrived.size() <= places.size() + 1); // it does not go the way once more
         QVERIFY(!live.setEmitter(1, {glm::vec3(0.0F), glm::vec3(0.0F), glm::vec3(0.0F)}));
         QCOMPARE(live.emitter(1).position.x, 6.0F);
     }
@@ -78,6 +82,19 @@ private slots:
         const float nan = std::numeric_limits<float>::quiet_NaN();
         QVERIFY(!live.setEmitters(at(nan)));
         QCOMPARE(live.emitter(1).position, scene.layers[1].emitter.position);
+    }
+
+    void nothingIsLaidAlongTheWayOfEmittersThatAreElsewhere()
+    {
+        Scene scene = standingPoint(600);
+        addLayer(scene, "other", 2);
+        LiveScene live = startedScene(scene);
+        go(live, 10);
+        QVERIFY(live.placeEmitters(at(5.0F)).ok());
+        QCOMPARE(live.step(4.0 * live.stepSeconds()).value(), 4);
+        for (const std::size_t layer : {0, 1}) {
+            QCOMPARE(placesOf(live, layer), (std::vector<float>{0.0F, 5.0F}));
+        }
     }
 
     /// They are born where the parent's particles are in the game, and on none that has died.

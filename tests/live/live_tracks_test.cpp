@@ -31,6 +31,35 @@ Scene animated(Scene scene, const char* keys)
     return scene;
 }
 
+/// A sphere that goes through still air for .4 s and stands then, among particles that this air carries.
+Scene besideAnObstacle()
+{
+    Effect effect = dots(2000).effect();
+    effect.emitter.width = 2.0F;
+    effect.emitter.depth = 2.0F;
+    effect.emitter.position = {0.0F, 1.0F, 0.0F};
+    effect.motion.buoyancy = 0.0F;
+    effect.air.enabled = true;
+    effect.air.resolution = kMinAirResolution;
+    effect.air.obstacle = Obstacle::Sphere;
+    effect.air.obstacleSize = glm::vec3(0.6F);
+    effect.air.obstaclePosition = {-0.2F, 1.0F, 0.0F};
+    return animated(effect, "air.obstacle_position=0:-0.2,1,0:linear; 0.4:0.2,1,0");
+}
+
+/// How far apart a particle is that lives in both, m.
+double farthestApart(const Particles& before, const Particles& after)
+{
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < before.capacity; ++i) {
+        if (before.birthStep[i] != Particles::kUnborn && before.birthStep[i] == after.birthStep[i]) {
+            const glm::vec3 way(after.x[i] - before.x[i], after.y[i] - before.y[i], after.z[i] - before.z[i]);
+            farthest = std::max(farthest, static_cast<double>(glm::length(way)));
+        }
+    }
+    return farthest;
+}
+
 LiveScene started(const Scene& scene)
 {
     Result<LiveScene> live = LiveScene::start(scene);
@@ -89,6 +118,37 @@ private slots:
             }
         }
         QVERIFY(seen > 900);
+    }
+
+    void anObstaclePushesTheAirOnItsWayAndStandsAtItsEnd()
+    {
+        LiveScene live = started(besideAnObstacle());
+        constexpr int kSteps = 4; // several a call: each goes a part of the way
+        double pushed = 0.0;
+        double calm = 0.0;
+        for (int call = 0; call < 30; ++call) {
+            const Particles before = live.particles(0);
+            QCOMPARE(live.step(kSteps * live.stepSeconds()).value(), kSteps);
+            calm = farthestApart(before, live.particles(0));
+            pushed = std::max(pushed, calm);
+        }
+        QVERIFY2(pushed > 0.03, qPrintable(QString::number(pushed)));
+        QVERIFY2(calm < 0.2 * pushed, qPrintable(QString::number(calm / pushed)));
+    }
+
+    void anObstacleGoesAsFarInEachOfSeveralStepsAsAlone()
+    {
+        LiveScene alone = started(besideAnObstacle());
+        LiveScene together = started(besideAnObstacle());
+        constexpr int kSteps = 4;
+        play(alone, 1);
+        play(together, 1);
+        for (int call = 0; call < 3; ++call) {
+            play(alone, kSteps);
+            QCOMPARE(together.step(kSteps * together.stepSeconds()).value(), kSteps);
+            const double apart = farthestApart(alone.particles(0), together.particles(0));
+            QVERIFY2(apart < 1e-3, qPrintable(QString::number(apart)));
+        }
     }
 
     void nothingIsBornWhereTheEmitterJumps_data()
