@@ -82,7 +82,8 @@ void keepSlopes(Track& track, const Track& before, std::size_t at, std::size_t n
 
 double insertKey(Track& track, double seconds)
 {
-    const double time = isHeldOutside(track, seconds) ? seconds : timeAmongKeys(track, seconds);
+    const double time =
+        std::clamp(isHeldOutside(track, seconds) ? seconds : timeAmongKeys(track, seconds), 0.0, kMaxKeySeconds);
     if (const KeyFrame* there = keyAt(track, time)) {
         return there->seconds;
     }

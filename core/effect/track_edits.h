@@ -15,7 +15,8 @@ namespace fumage {
 /// ends keeps the slope with which it is arrived at. But of three curves something is lost: a free piece that the hard
 /// range cuts off bends on its way there; a direction goes the same way at another pace; a key beyond the end makes
 /// what repeats longer.
-/// @param seconds finite; outside of keys that repeat it stands for a time among them
+/// @param seconds finite; outside of keys that repeat it stands for a time among them, outside of [0, kMaxKeySeconds]
+/// for the nearest in it
 /// @return the time of the key frame, s; of the one that was there already, where there was one
 /// O(keys).
 double insertKey(Track& track, double seconds);

@@ -99,6 +99,17 @@ private slots:
         QCOMPARE(track.keys.size(), std::size_t{3});
     }
 
+    void aKeyIsAddedAmongTheTimesThatKeysMayHave()
+    {
+        for (const double seconds : {-5.0, kMaxKeySeconds + 0.01, 1e300}) {
+            Track track{&kEmission, {{1.0, 1.0F}, {2.0, 2.0F}}};
+            const double expected = seconds < 0.0 ? 0.0 : kMaxKeySeconds;
+            QCOMPARE(insertKey(track, seconds), expected);
+            QVERIFY(checkTrack(track));
+            QCOMPARE(track.keys.size(), std::size_t{3});
+        }
+    }
+
     /// Where smooth pieces, lines and held values meet, whatever came before, and in all components.
     void keysAddedOneAfterTheOtherLeaveTheCurveThere()
     {
