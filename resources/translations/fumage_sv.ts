@@ -2117,6 +2117,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Its emitter</source>
         <translation>Sin utsändare</translation>
     </message>
+    <message>
+        <source>Smoke</source>
+        <translation>Rök</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerModel</name>
@@ -2135,6 +2139,49 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Born on %1</source>
         <translation>Föds på %1</translation>
+    </message>
+</context>
+<context>
+    <name>LayerTemplates</name>
+    <message>
+        <source>Flames</source>
+        <translation>Lågor</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Glöd</translation>
+    </message>
+    <message>
+        <source>Sparks</source>
+        <translation>Gnistor</translation>
+    </message>
+    <message>
+        <source>Fireball</source>
+        <translation>Eldklot</translation>
+    </message>
+    <message>
+        <source>Debris with trails</source>
+        <translation>Skräp med spår</translation>
+    </message>
+    <message>
+        <source>Dust ring</source>
+        <translation>Dammring</translation>
+    </message>
+    <message>
+        <source>Jet</source>
+        <translation>Stråle</translation>
+    </message>
+    <message>
+        <source>Falling fog</source>
+        <translation>Fallande dimma</translation>
+    </message>
+    <message>
+        <source>Glitter</source>
+        <translation>Glitter</translation>
+    </message>
+    <message>
+        <source>Halo</source>
+        <translation>Gloria</translation>
     </message>
 </context>
 <context>
@@ -2166,6 +2213,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Cannot add layers</source>
         <translation>Lager kan inte läggas till</translation>
+    </message>
+    <message>
+        <source>Cannot add “%1”</source>
+        <translation>Kan inte lägga till ”%1”</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>Lägg till ”%1”</translation>
     </message>
 </context>
 <context>

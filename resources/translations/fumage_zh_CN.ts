@@ -2117,6 +2117,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Its emitter</source>
         <translation>自身的发射器</translation>
     </message>
+    <message>
+        <source>Smoke</source>
+        <translation>烟雾</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerModel</name>
@@ -2135,6 +2139,49 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Born on %1</source>
         <translation>诞生于 %1</translation>
+    </message>
+</context>
+<context>
+    <name>LayerTemplates</name>
+    <message>
+        <source>Flames</source>
+        <translation>火焰</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>余烬</translation>
+    </message>
+    <message>
+        <source>Sparks</source>
+        <translation>火花</translation>
+    </message>
+    <message>
+        <source>Fireball</source>
+        <translation>火球</translation>
+    </message>
+    <message>
+        <source>Debris with trails</source>
+        <translation>带尾迹的碎片</translation>
+    </message>
+    <message>
+        <source>Dust ring</source>
+        <translation>尘环</translation>
+    </message>
+    <message>
+        <source>Jet</source>
+        <translation>喷流</translation>
+    </message>
+    <message>
+        <source>Falling fog</source>
+        <translation>下沉的雾</translation>
+    </message>
+    <message>
+        <source>Glitter</source>
+        <translation>闪粉</translation>
+    </message>
+    <message>
+        <source>Halo</source>
+        <translation>光晕</translation>
     </message>
 </context>
 <context>
@@ -2166,6 +2213,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Cannot add layers</source>
         <translation>无法添加图层</translation>
+    </message>
+    <message>
+        <source>Cannot add “%1”</source>
+        <translation>无法添加“%1”</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>添加“%1”</translation>
     </message>
 </context>
 <context>
