@@ -57,7 +57,8 @@ class Program:
 
     def start(self, *words, **options):
         # What a shell runs in the background does not hear Ctrl-C, nor what that starts.
-        return subprocess.Popen(self.command + list(words), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        options.setdefault("stderr", subprocess.DEVNULL)
+        return subprocess.Popen(self.command + list(words), stdout=subprocess.DEVNULL,
                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **options)
 
 
@@ -214,7 +215,8 @@ class Checks:
                 file.unlink()
             # From when it begins to write, not from when Wine does.
             before = self.stamps(folder)
-            program = self.windows.start(*words[kind])
+            with open(place / "said", "wb") as said:
+                program = self.windows.start(*words[kind], stderr=said)
             while self.stamps(folder) == before and program.poll() is None:
                 time.sleep(0.002)
             time.sleep(chance.uniform(0.0, 0.3 if kind == "render" else 0.05))
@@ -224,7 +226,7 @@ class Checks:
             left += len(self.drafts(folder))
             broken = [p.name for p in folder.iterdir() if p.suffix in CHECKS and not p.name.startswith(".") and not CHECKS[p.suffix](p.read_bytes())]
             if broken or code not in (0, -9):
-                check(False, f"round {number} (seed {seed}): {kind} ended with {code}, broken: {broken}")
+                check(False, f"round {number} (seed {seed}): {kind} ended with {code}, broken: {broken}; it said: {(place / 'said').read_text()[-500:]}")
         for kind, command in words.items():
             last = [word if word != "0-999" else "0" for word in command]
             self.windows.run("--quiet", *last)
