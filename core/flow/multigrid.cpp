@@ -80,6 +80,15 @@ std::vector<float> coarserWidths(const std::vector<float>& width)
     return out;
 }
 
+/// The same as forCells(), several planes at once.
+template <class Visit>
+void forCellsByPlane(const ColumnLayout& layout, const glm::ivec3& n, const Visit& visit)
+{
+    forPlanes(layout, 0, n.z, 1, [&](int k) {
+        forCells({n.x, n.y, 1}, [&](const glm::ivec3& c) { visit(glm::ivec3(c.x, c.y, k)); });
+    });
+}
+
 /// The share of a coarse face that lets air through is the mean of the fine faces in it.
 void coarsenFaces(const MultigridLevel& fine, MultigridLevel& coarse, AirColumn AirVectors::*faces, int axis)
 {
@@ -87,7 +96,7 @@ void coarsenFaces(const MultigridLevel& fine, MultigridLevel& coarse, AirColumn 
     const glm::ivec3 m = coarse.layout.cells;
     glm::ivec3 end = m;
     ++end[axis]; // the face of the border above too
-    forCells(end, [&](const glm::ivec3& c) {
+    forCellsByPlane(coarse.layout, end, [&](const glm::ivec3& c) {
         glm::ivec3 low = 2 * c;
         low[axis] = std::min(low[axis], n[axis]);
         glm::ivec3 high = glm::min(low + 2, n);
@@ -108,22 +117,27 @@ void invertWeights(MultigridLevel& level)
 {
     level.inverse.assign(level.layout.size, 0.0F);
     const glm::ivec3 n = level.layout.cells;
-    const std::array strides{std::size_t{1}, level.layout.row, level.layout.plane};
-    const std::array faces{&level.open.x, &level.open.y, &level.open.z};
-    forCells(n, [&](const glm::ivec3& c) {
-        const std::size_t at = level.layout.at(c.x, c.y, c.z);
-        const std::array place{c.x, c.y, c.z};
-        float sum = 0.0F;
-        for (std::size_t a = 0; a < 3; ++a) {
-            const auto index = static_cast<std::size_t>(place[a]);
-            const MultigridAxis& axis = level.axis[a];
-            const float lower = (*faces[a])[at];
-            const float upper = (*faces[a])[at + strides[a]];
-            const float border = axis.own[index] - axis.below[index] - axis.above[index];
-            sum += axis.below[index] * lower + axis.above[index] * upper + border * (place[a] == 0 ? lower : upper);
+    const auto borderOf = [](const MultigridAxis& axis, std::size_t i) {
+        return axis.own[i] - axis.below[i] - axis.above[i];
+    };
+    const auto weightOf = [&](const MultigridAxis& axis, std::size_t i, float lower, float upper) {
+        return axis.below[i] * lower + axis.above[i] * upper + borderOf(axis, i) * (i == 0 ? lower : upper);
+    };
+    forPlanes(level.layout, 0, n.z, 1, [&](int k) {
+        for (int j = 0; j < n.y; ++j) {
+            const std::size_t first = level.layout.at(0, j, k);
+            const float* x = level.open.x.data() + first;
+            const float* y = level.open.y.data() + first;
+            const float* z = level.open.z.data() + first;
+            float* inverse = level.inverse.data() + first;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(n.x); ++i) {
+                float sum = weightOf(level.axis[0], i, x[i], x[i + 1]);
+                sum += weightOf(level.axis[1], static_cast<std::size_t>(j), y[i], y[i + level.layout.row]);
+                sum += weightOf(level.axis[2], static_cast<std::size_t>(k), z[i], z[i + level.layout.plane]);
+                constexpr float kShut = 1e-4F;
+                inverse[i] = sum > kShut ? 1.0F / sum : 0.0F;
+            }
         }
-        constexpr float kShut = 1e-4F;
-        level.inverse[at] = sum > kShut ? 1.0F / sum : 0.0F;
     });
 }
 

@@ -1,9 +1,11 @@
 #include "core/flow/obstacles.h"
 
 #include "core/flow/boundaries.h"
+#include "core/flow/planes.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include <glm/common.hpp>
 
@@ -21,25 +23,88 @@ constexpr std::array kSteps{glm::ivec3(1, 0, 0), glm::ivec3(0, 1, 0), glm::ivec3
 void openFaces(AirCells& cells)
 {
     const glm::ivec3 n = cells.grid.cells;
-    const auto fluid = [&](const glm::ivec3& c) { return cells.fluid[cells.column.at(c.x, c.y, c.z)]; };
     cells.open.resize(cells.column.size);
-    const std::array columns{&cells.open.x, &cells.open.y, &cells.open.z};
-    forCells(n + 2, [&](const glm::ivec3& ghost) {
-        const glm::ivec3 c = ghost - 1;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const glm::ivec3 below = glm::max(c - kSteps[axis], glm::ivec3(-1));
-            (*columns[axis])[cells.column.at(c.x, c.y, c.z)] = std::min(fluid(c), fluid(below));
+    const auto row = [&](auto& column, int j, int k) {
+        return column.data() + cells.column.at(-1, std::max(j, -1), std::max(k, -1));
+    };
+    forPlanes(cells.column, -1, n.z + 1, 1, [&](int k) {
+        for (int j = -1; j <= n.y; ++j) {
+            const float* fluid = row(cells.fluid, j, k);
+            const float* before = row(cells.fluid, j - 1, k);
+            const float* under = row(cells.fluid, j, k - 1);
+            float* x = row(cells.open.x, j, k);
+            float* y = row(cells.open.y, j, k);
+            float* z = row(cells.open.z, j, k);
+            for (int i = 0; i < n.x + 2; ++i) {
+                x[i] = std::min(fluid[i], fluid[std::max(0, i - 1)]);
+                y[i] = std::min(fluid[i], before[i]);
+                z[i] = std::min(fluid[i], under[i]);
+            }
         }
     });
 }
 
+/// Cells of a grid from low up to, and without, high.
+struct CellBox {
+    glm::ivec3 low{0};
+    glm::ivec3 high{0};
+};
+
+/// Calls visit(cell) for all cells of a box, those along x first.
+template <class Visit>
+void forCellsOf(const CellBox& box, const Visit& visit)
+{
+    forCells(box.high - box.low, [&](const glm::ivec3& within) { visit(box.low + within); });
+}
+
+/// All cells that solids may lie in, and those beside them.
+CellBox cellsAround(const AirGrid& grid, std::span<const Solid> solids)
+{
+    CellBox box{grid.cells, glm::ivec3(0)};
+    const glm::vec3 last(grid.cells);
+    for (const Solid& solid : solids) {
+        const glm::vec3 half =
+            0.5F * (solid.shape == SolidShape::Sphere ? glm::vec3(solid.size.x) : glm::abs(solid.size));
+        const auto cellOf = [&](const glm::vec3& place, float beside) {
+            return glm::ivec3(
+                glm::clamp(glm::floor((place - grid.corner) / grid.cell) + beside, glm::vec3(0.0F), last));
+        };
+        box.low = glm::min(box.low, cellOf(solid.centre - half, -2.0F));
+        box.high = glm::max(box.high, cellOf(solid.centre + half, 3.0F));
+    }
+    box.high = glm::max(box.low, box.high);
+    return box;
+}
+
+/// Finds the cells whose centres lie in no solid.
+/// @return how many lie in one
+std::int64_t findFluid(const AirCells& cells, std::span<const Solid> solids, const CellBox& around, AirColumn& fluid)
+{
+    const glm::ivec3 n = cells.grid.cells;
+    fluid.assign(cells.column.size, 0.0F);
+    forPlanes(cells.column, 0, n.z, 1, [&](int k) {
+        for (int j = 0; j < n.y; ++j) {
+            std::fill_n(fluid.data() + cells.column.at(0, j, k), n.x, 1.0F);
+        }
+    });
+    std::int64_t inside = 0;
+    forCellsOf(around, [&](const glm::ivec3& c) {
+        const glm::vec3 centre = cells.grid.centre(c);
+        if (std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(centre); })) {
+            fluid[cells.column.at(c.x, c.y, c.z)] = 0.0F;
+            ++inside;
+        }
+    });
+    return inside;
+}
+
 /// Lists the cells of obstacles that have air beside them, and counts the walls that air touches.
-void findHalo(AirCells& cells)
+void findHalo(AirCells& cells, const CellBox& around)
 {
     const glm::ivec3 n = cells.grid.cells;
     const auto fluid = [&](const glm::ivec3& c) { return cells.fluid[cells.column.at(c.x, c.y, c.z)] != 0.0F; };
     cells.touching.assign(cells.column.size, 0.0F);
-    forCells(n, [&](const glm::ivec3& c) {
+    forCellsOf(around, [&](const glm::ivec3& c) {
         AirCells::Halo skin{c, 0};
         for (unsigned side = 0; side < 6; ++side) {
             const glm::ivec3 step = kSteps[side / 2];
@@ -84,8 +149,9 @@ void moveWalls(AirCells& cells, std::span<const Solid> solids)
     const glm::ivec3 last = cells.grid.cells - 1;
     const std::array open{&cells.open.x, &cells.open.y, &cells.open.z};
     const std::array wall{&cells.wall.x, &cells.wall.y, &cells.wall.z};
-    forCells(cells.grid.cells + 2, [&](const glm::ivec3& ghost) {
-        const glm::ivec3 c = ghost - 1;
+    // Ghosts are beside cells of the box where those are at the border.
+    const CellBox around = cellsAround(cells.grid, solids);
+    forCellsOf({around.low - 1, around.high + 1}, [&](const glm::ivec3& c) {
         const std::size_t at = cells.column.at(c.x, c.y, c.z);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if ((*open[axis])[at] != 0.0F) {
@@ -108,24 +174,14 @@ void moveWalls(AirCells& cells, std::span<const Solid> solids)
 
 SolidsPlaced placeSolids(AirCells& cells, std::span<const Solid> solids)
 {
-    bool anyAir = false;
-    bool anySolid = false;
     AirColumn& fluid = cells.fluidBefore; // as it will be, until they change places
-    if (!solids.empty()) {
-        fluid.assign(cells.column.size, 0.0F);
-        forCells(cells.grid.cells, [&](const glm::ivec3& c) {
-            const glm::vec3 centre = cells.grid.centre(c);
-            const bool inside =
-                std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(centre); });
-            fluid[cells.column.at(c.x, c.y, c.z)] = inside ? 0.0F : 1.0F;
-            anyAir = anyAir || !inside;
-            anySolid = anySolid || inside;
-        });
-        if (!anyAir) {
-            return SolidsPlaced::Nowhere;
-        }
+    const CellBox around = cellsAround(cells.grid, solids);
+    const std::int64_t inside = solids.empty() ? 0 : findFluid(cells, solids, around, fluid);
+    const glm::i64vec3 n(cells.grid.cells);
+    if (inside == n.x * n.y * n.z) {
+        return SolidsPlaced::Nowhere;
     }
-    if (!anySolid) {
+    if (inside == 0) {
         const bool hadSolids = cells.hasObstacles();
         cells.skin.clear();
         cells.fluid.clear();
@@ -142,7 +198,7 @@ SolidsPlaced placeSolids(AirCells& cells, std::span<const Solid> solids)
         std::swap(fluid, cells.fluid);
         cells.skin.clear();
         openFaces(cells);
-        findHalo(cells);
+        findHalo(cells, around);
     }
     moveWalls(cells, solids);
     return isAsBefore ? SolidsPlaced::AsBefore : SolidsPlaced::Elsewhere;
