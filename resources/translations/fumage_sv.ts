@@ -6979,7 +6979,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
 <context>
     <name>fumage::ui::SummaryRow</name>
     <message>
-        <source>Solo is of the view only: %1 layers are exported.</source>
+        <source>Solo is of the view only. Layers that are exported: %1.</source>
         <translation>Solo gäller bara vyn: %1 lager exporteras.</translation>
     </message>
     <message>

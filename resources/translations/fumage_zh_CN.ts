@@ -6979,7 +6979,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
 <context>
     <name>fumage::ui::SummaryRow</name>
     <message>
-        <source>Solo is of the view only: %1 layers are exported.</source>
+        <source>Solo is of the view only. Layers that are exported: %1.</source>
         <translation>独显只影响视图：将导出 %1 个图层。</translation>
     </message>
     <message>

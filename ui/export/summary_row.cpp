@@ -47,7 +47,7 @@ SummaryRow::SummaryRow(Document& document, QWidget* parent)
 
 void SummaryRow::follow(const ExportPlan& plan, const Scene& scene, bool solo)
 {
-    m_solo->setText(tr("Solo is of the view only: %1 layers are exported.").arg(scene.visibleLayers().size()));
+    m_solo->setText(tr("Solo is of the view only. Layers that are exported: %1.").arg(scene.visibleLayers().size()));
     m_solo->setVisible(solo);
     m_files->setText(summaryOf(plan, scene));
     m_offered = offerFor(plan, scene);
