@@ -74,7 +74,7 @@ private slots:
         QVERIFY(!remark->isVisible());
         solo.set({1}, true);
         QVERIFY(remark->isVisible());
-        QVERIFY2(remark->text().contains(u"2 layers are exported"_q), qPrintable(remark->text()));
+        QVERIFY2(remark->text().contains(u"exported: 2"_q), qPrintable(remark->text()));
         solo.end();
         QVERIFY(!remark->isVisible());
         m_dialog.reset(); // before the solo, which it hears

@@ -92,7 +92,7 @@ private slots:
         go(live, 10);
         QVERIFY(live.placeEmitters(at(5.0F)).ok());
         QCOMPARE(live.step(4.0 * live.stepSeconds()).value(), 4);
-        for (const std::size_t layer : {0, 1}) {
+        for (const std::size_t layer : {std::size_t{0}, std::size_t{1}}) {
             QCOMPARE(placesOf(live, layer), (std::vector<float>{0.0F, 5.0F}));
         }
     }
