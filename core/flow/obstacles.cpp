@@ -135,7 +135,7 @@ const Solid* solidAt(std::span<const Solid> solids, const glm::vec3& one, const 
 }
 
 /// Finds how fast closed faces move; those of ghosts too.
-void moveWalls(AirCells& cells, std::span<const Solid> solids)
+void moveWalls(AirCells& cells, std::span<const Solid> solids, const CellBox& around)
 {
     const auto moving = std::find_if(solids.begin(), solids.end(), [](const Solid& solid) { return solid.moves(); });
     cells.wallVelocity = moving == solids.end()
@@ -150,7 +150,6 @@ void moveWalls(AirCells& cells, std::span<const Solid> solids)
     const std::array open{&cells.open.x, &cells.open.y, &cells.open.z};
     const std::array wall{&cells.wall.x, &cells.wall.y, &cells.wall.z};
     // Ghosts are beside cells of the box where those are at the border.
-    const CellBox around = cellsAround(cells.grid, solids);
     forCellsOf({around.low - 1, around.high + 1}, [&](const glm::ivec3& c) {
         const std::size_t at = cells.column.at(c.x, c.y, c.z);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -200,7 +199,7 @@ SolidsPlaced placeSolids(AirCells& cells, std::span<const Solid> solids)
         openFaces(cells);
         findHalo(cells, around);
     }
-    moveWalls(cells, solids);
+    moveWalls(cells, solids, around);
     return isAsBefore ? SolidsPlaced::AsBefore : SolidsPlaced::Elsewhere;
 }
 
