@@ -108,13 +108,12 @@ bool PicturePlanner::isSlowToBegin(const RenderRequest& request, const PicturePl
         && m_costs.particlesWithin(kSoonNs, plan.stepsEach) < plan.particles;
 }
 
-void PicturePlanner::scaleDown(const RenderRequest& request, Quality quality, PicturePlan& plan) const
+void PicturePlanner::scaleDown(const RenderRequest& request, Quality quality, qint64 budgetNs, PicturePlan& plan) const
 {
     const double pixels = static_cast<double>(request.width) * request.height;
     const int particles = plan.sparse.empty() ? plan.particles : plan.drawnParticles();
     const double share = plan.sparse.empty() ? plan.drawnShare() : 1.0;
-    plan.scale =
-        m_costs.scaleWithin(isAtHand(plan) ? kLookBudgetNs : kBudgetNs, particles, plan.stepsEach, pixels, share);
+    plan.scale = m_costs.scaleWithin(budgetNs, particles, plan.stepsEach, pixels, share);
     plan.phaseMix = PhaseMix::Choose;
     plan.complete = plan.keepsAll && plan.sparse.empty() && plan.scale == 1.0
         && quality == request.scene->output.quality
@@ -165,17 +164,18 @@ PicturePlan PicturePlanner::planFor(const RenderRequest& request)
     case PreviewQuality::Interactive:
         if (isAtHand(plan)) {
             drawWhatIsAffordable(plan);
+            scaleDown(request, asked.output.quality, kLookBudgetNs, plan);
         } else {
             thinTo(particlesWhileDragging(plan, preRoll));
+            scaleDown(request, asked.output.quality, kBudgetNs, plan);
         }
-        scaleDown(request, asked.output.quality, plan);
         break;
     case PreviewQuality::Playback:
         if (plan.coarseAir || isSlowToBegin(request, plan)) {
             plan.settles = true;
             thinTo(particlesToPlay(plan, preRoll, static_cast<double>(schedule.stepsPerFrame)));
         }
-        scaleDown(request, asked.output.quality, plan);
+        scaleDown(request, asked.output.quality, kBudgetNs, plan);
         break;
     }
     return plan;

@@ -30,7 +30,7 @@ private:
     /// Whether all particles of a plan would be long in coming while frames are played.
     [[nodiscard]] bool isSlowToBegin(const RenderRequest& request, const PicturePlan& plan) const;
     /// Gives up pixels, so that a picture comes in time.
-    void scaleDown(const RenderRequest& request, Quality quality, PicturePlan& plan) const;
+    void scaleDown(const RenderRequest& request, Quality quality, qint64 budgetNs, PicturePlan& plan) const;
     [[nodiscard]] int particlesWhileDragging(const PicturePlan& plan, double preRoll) const;
     /// Whether a plan has next to nothing to simulate.
     [[nodiscard]] bool isAtHand(const PicturePlan& plan) const;
