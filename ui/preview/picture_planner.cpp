@@ -158,8 +158,13 @@ PicturePlan PicturePlanner::planFor(const RenderRequest& request)
         break;
     case PreviewQuality::Intermediate:
         plan.settles = true;
-        thinTo(particlesToSettle(all, preRoll));
-        plan.complete = plan.keepsAll && asked.output.quality == request.scene->output.quality;
+        if (!isAtHand(plan)) {
+            thinTo(particlesToSettle(all, preRoll));
+        } else if (const int count = particlesToSettle(all, plan.stepsEach); count < all) {
+            plan.drawSparsely(count);
+        }
+        plan.complete =
+            plan.keepsAll && plan.sparse.empty() && asked.output.quality == request.scene->output.quality;
         break;
     case PreviewQuality::Interactive:
         if (isAtHand(plan)) {
