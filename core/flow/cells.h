@@ -103,6 +103,8 @@ struct AirCells {
     AirVectors open; ///< whether a lower face lets air through: 1 or 0
     AirColumn fluid; ///< whether a cell is air: 1 or 0
     AirColumn touching; ///< how many faces of a cell of air are walls of obstacles
+    CellBox around; ///< all cells that obstacles may lie in, and those beside them
+    CellBox changed; ///< what was around obstacles before they were last placed, and what is since
     struct Halo { ///< a cell of an obstacle that has air beside it
         glm::ivec3 cell{0};
         unsigned sides = 0; ///< bit 2 * axis for the neighbour below, bit 2 * axis + 1 for the one above
@@ -114,8 +116,13 @@ struct AirCells {
     AirVectors wall; ///< velocity of the obstacle on each lower face that it closes, along the face's axis, m/s; else 0
     glm::vec3 wallVelocity{0.0F}; ///< of its centre, m/s
     [[nodiscard]] bool hasMovingWalls() const { return !wall.x.empty(); }
+    /// Whether a face of plane k, or of one beside it, may be a wall that moves.
+    [[nodiscard]] bool hasMovingWallsBeside(int k) const
+    {
+        return hasMovingWalls() && k >= around.low.z - 2 && k < around.high.z + 2;
+    }
 
-    AirColumn fluidBefore; ///< room to compare in
+    AirColumn fluidAnew; ///< room to place obstacles in
 };
 
 } // namespace fumage

@@ -92,13 +92,10 @@ HWY_INLINE Vec3<V> velocityOfWalls(D d, const AirCells& cells, bool onGround, st
     return broadcast(d, cells.wallVelocity) * (touching / hn::Max(walls, hn::Set(d, 1.0F)));
 }
 
-/// The air's velocity after the drag of walls, which is against what they have themselves.
-HWY_INLINE Vec3<V> slowed(
+/// The air's velocity after the drag of walls that move, which is against what they have themselves.
+HWY_INLINE Vec3<V> slowedByWalls(
     D d, const AirCells& cells, const AirStep& step, bool onGround, const Vec3<V>& v, std::size_t at)
 {
-    if (!cells.hasMovingWalls()) {
-        return v * afterDrag(d, cells, step, onGround, v, at);
-    }
     const Vec3<V> walls = velocityOfWalls(d, cells, onGround, at);
     const Vec3<V> against = v - walls;
     return against * afterDrag(d, cells, step, onGround, against, at) + walls;
@@ -182,6 +179,7 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
     const D d;
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
     const bool confines = step.confinement > 0.0F;
+    const bool wallsMove = cells.hasMovingWallsBeside(k);
     VorticitySums sums;
     for (int j = 0; j < cells.grid.cells.y; ++j) {
         const bool onGround = j == 0 && cells.boundaries.low[1] == Boundary::Solid;
@@ -212,13 +210,14 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
                 v = v + stirred(d, step.forcing, place, heat) * step.dt;
             }
             if (step.friction > 0.0F && (onGround || cells.hasObstacles())) {
-                v = slowed(d, cells, step, onGround, v, at);
+                v = wallsMove ? slowedByWalls(d, cells, step, onGround, v, at)
+                              : v * afterDrag(d, cells, step, onGround, v, at);
             }
             if (cells.hasObstacles()) {
                 v = v * hn::Load(d, cells.fluid.data() + at);
             }
             V kept = heat * step.heatKept;
-            if (cells.hasMovingWalls()) {
+            if (wallsMove) {
                 v = v + velocityInWall(d, cells, at);
                 kept = kept * hn::Load(d, cells.fluid.data() + at); // or it would come out again behind
             }

@@ -42,6 +42,19 @@ void forCells(const glm::ivec3& n, const Visit& visit)
     });
 }
 
+/// Cells of a grid from low up to, and without, high.
+struct CellBox {
+    glm::ivec3 low{0};
+    glm::ivec3 high{0};
+};
+
+/// Calls visit(cell) for all cells of a box, those along x first.
+template <class Visit>
+void forCellsOf(const CellBox& box, const Visit& visit)
+{
+    forCells(box.high - box.low, [&](const glm::ivec3& within) { visit(box.low + within); });
+}
+
 /// Where the air is: a box of cubic cells.
 struct AirGrid {
     glm::ivec3 cells{0}; ///< each kMinAirCells to kMaxAirCells

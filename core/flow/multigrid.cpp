@@ -4,6 +4,7 @@
 #include "core/flow/planes.h"
 
 #include <algorithm>
+#include <array>
 
 #include <glm/common.hpp>
 
@@ -80,31 +81,45 @@ std::vector<float> coarserWidths(const std::vector<float>& width)
     return out;
 }
 
-/// The same as forCells(), several planes at once.
+/// The same as forCellsOf(), several planes at once.
 template <class Visit>
-void forCellsByPlane(const ColumnLayout& layout, const glm::ivec3& n, const Visit& visit)
+void forCellsByPlane(const CellBox& box, const Visit& visit)
 {
-    forPlanes(layout, 0, n.z, 1, [&](int k) {
-        forCells({n.x, n.y, 1}, [&](const glm::ivec3& c) { visit(glm::ivec3(c.x, c.y, k)); });
-    });
+    forPlanes(box, [&](int k) { forCellsOf({{box.low.x, box.low.y, k}, {box.high.x, box.high.y, k + 1}}, visit); });
+}
+
+/// The cells of the coarser level that have cells of a box in them.
+CellBox coarsened(const CellBox& box)
+{
+    return {box.low / 2, (box.high + 1) / 2};
+}
+
+/// Takes the lower faces of the cells of a box, and those above it.
+void copyFaces(const ColumnLayout& layout, const CellBox& box, const AirColumn& from, AirColumn& to)
+{
+    forCellsByPlane(
+        {{box.low.x, box.low.y, box.low.z}, {box.low.x + 1, box.high.y + 1, box.high.z + 1}}, [&](const glm::ivec3& c) {
+            const std::size_t at = layout.at(c.x, c.y, c.z);
+            std::copy_n(from.data() + at, box.high.x + 1 - box.low.x, to.data() + at);
+        });
 }
 
 /// The share of a coarse face that lets air through is the mean of the fine faces in it.
-void coarsenFaces(const MultigridLevel& fine, MultigridLevel& coarse, AirColumn AirVectors::*faces, int axis)
+/// @param box cells of the coarse level whose faces these are; those of the border above too
+void coarsenFaces(
+    const MultigridLevel& fine, MultigridLevel& coarse, AirColumn AirVectors::*faces, int axis, const CellBox& box)
 {
     const glm::ivec3 n = fine.layout.cells;
-    const glm::ivec3 m = coarse.layout.cells;
-    glm::ivec3 end = m;
-    ++end[axis]; // the face of the border above too
-    forCellsByPlane(coarse.layout, end, [&](const glm::ivec3& c) {
+    CellBox lower = box;
+    ++lower.high[axis];
+    forCellsByPlane(lower, [&](const glm::ivec3& c) {
         glm::ivec3 low = 2 * c;
         low[axis] = std::min(low[axis], n[axis]);
         glm::ivec3 high = glm::min(low + 2, n);
         high[axis] = low[axis] + 1;
         float sum = 0.0F;
         float count = 0.0F;
-        forCells(high - low, [&](const glm::ivec3& within) {
-            const glm::ivec3 at = low + within;
+        forCellsOf({low, high}, [&](const glm::ivec3& at) {
             sum += (fine.open.*faces)[fine.layout.at(at.x, at.y, at.z)];
             count += 1.0F;
         });
@@ -112,25 +127,24 @@ void coarsenFaces(const MultigridLevel& fine, MultigridLevel& coarse, AirColumn 
     });
 }
 
-/// 1 / the weight of -p in every cell; 0 where no face is open.
-void invertWeights(MultigridLevel& level)
+/// 1 / the weight of -p in every cell of a box; 0 where no face is open.
+void invertWeights(MultigridLevel& level, const CellBox& box)
 {
-    level.inverse.assign(level.layout.size, 0.0F);
-    const glm::ivec3 n = level.layout.cells;
     const auto borderOf = [](const MultigridAxis& axis, std::size_t i) {
         return axis.own[i] - axis.below[i] - axis.above[i];
     };
     const auto weightOf = [&](const MultigridAxis& axis, std::size_t i, float lower, float upper) {
         return axis.below[i] * lower + axis.above[i] * upper + borderOf(axis, i) * (i == 0 ? lower : upper);
     };
-    forPlanes(level.layout, 0, n.z, 1, [&](int k) {
-        for (int j = 0; j < n.y; ++j) {
+    forPlanes(box, [&](int k) {
+        for (int j = box.low.y; j < box.high.y; ++j) {
             const std::size_t first = level.layout.at(0, j, k);
             const float* x = level.open.x.data() + first;
             const float* y = level.open.y.data() + first;
             const float* z = level.open.z.data() + first;
             float* inverse = level.inverse.data() + first;
-            for (std::size_t i = 0; i < static_cast<std::size_t>(n.x); ++i) {
+            const auto end = static_cast<std::size_t>(box.high.x);
+            for (auto i = static_cast<std::size_t>(box.low.x); i < end; ++i) {
                 float sum = weightOf(level.axis[0], i, x[i], x[i + 1]);
                 sum += weightOf(level.axis[1], static_cast<std::size_t>(j), y[i], y[i + level.layout.row]);
                 sum += weightOf(level.axis[2], static_cast<std::size_t>(k), z[i], z[i + level.layout.plane]);
@@ -181,27 +195,39 @@ Multigrid::Multigrid(const glm::ivec3& cells, const AirBoundaries& boundaries, c
             }
         }
     }
-    setFaces(open);
+    setFaces(open, {glm::ivec3(0), cells});
 }
 
-void Multigrid::setFaces(const AirVectors& open)
+void Multigrid::setFaces(const AirVectors& open, const CellBox& changed)
 {
-    for (std::size_t l = 0; l < m_levels.size(); ++l) {
-        MultigridLevel& level = m_levels[l];
-        if (open.x.empty()) {
+    if (open.x.empty()) {
+        for (MultigridLevel& level : m_levels) {
             level.open.clear();
             level.inverse.clear();
-            continue;
         }
-        if (l == 0) {
-            level.open = open;
-        } else {
+        return;
+    }
+    CellBox box = changed;
+    for (std::size_t l = 0; l < m_levels.size(); ++l) {
+        MultigridLevel& level = m_levels[l];
+        const glm::ivec3 n = level.layout.cells;
+        if (level.open.x.empty()) {
             level.open.resize(level.layout.size);
-            coarsenFaces(m_levels[l - 1], level, &AirVectors::x, 0);
-            coarsenFaces(m_levels[l - 1], level, &AirVectors::y, 1);
-            coarsenFaces(m_levels[l - 1], level, &AirVectors::z, 2);
+            level.inverse.assign(level.layout.size, 0.0F);
+            box = {glm::ivec3(0), n};
         }
-        invertWeights(level);
+        const std::array faces{&AirVectors::x, &AirVectors::y, &AirVectors::z};
+        for (int axis = 0; axis < 3; ++axis) {
+            AirColumn AirVectors::*of = faces[static_cast<std::size_t>(axis)];
+            if (l == 0) {
+                copyFaces(level.layout, box, open.*of, level.open.*of);
+            } else {
+                coarsenFaces(m_levels[l - 1], level, of, axis, box);
+            }
+        }
+        // A face is of the cell before it, too.
+        invertWeights(level, {glm::max(box.low - 1, glm::ivec3(0)), glm::min(box.high + 1, n)});
+        box = coarsened(box);
     }
 }
 

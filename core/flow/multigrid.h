@@ -17,9 +17,10 @@ public:
     /// @param open see AirCells::open; empty without obstacles
     Multigrid(const glm::ivec3& cells, const AirBoundaries& boundaries, const AirVectors& open);
 
-    /// Lets air through other faces: what there was before is forgotten. Allocates only where there were no obstacles.
+    /// Lets air through other faces. Allocates only where there were no obstacles.
     /// @param open see AirCells::open; empty without obstacles
-    void setFaces(const AirVectors& open);
+    /// @param changed all cells with a face that has opened or closed; each other face is as it was, if there were any
+    void setFaces(const AirVectors& open, const CellBox& changed);
 
     /// @param pressure    columns of the cells, their ghosts 0; a first guess, which becomes the solution
     /// @param rightSide   read; where the box is closed its sum has to be 0

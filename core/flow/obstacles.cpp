@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 
 #include <glm/common.hpp>
@@ -18,25 +19,52 @@ constexpr float kMaxWallSpeed = 2000.0F;
 
 constexpr std::array kSteps{glm::ivec3(1, 0, 0), glm::ivec3(0, 1, 0), glm::ivec3(0, 0, 1)};
 
+/// The lower faces of the cells of a box and of those around it, ghosts among them.
+CellBox facesOf(const CellBox& box)
+{
+    return {box.low - 1, box.high + 1};
+}
+
+CellBox unionOf(const CellBox& one, const CellBox& other)
+{
+    return {glm::min(one.low, other.low), glm::max(one.high, other.high)};
+}
+
+/// Calls visit(place of the first, number of them) for the rows of a box.
+template <class Visit>
+void forRows(const ColumnLayout& layout, const CellBox& box, const Visit& visit)
+{
+    forPlanes(box, [&](int k) {
+        for (int j = box.low.y; j < box.high.y; ++j) {
+            visit(layout.at(box.low.x, j, k), box.high.x - box.low.x);
+        }
+    });
+}
+
+/// Makes the numbers of a box 0.
+void clear(const ColumnLayout& layout, const CellBox& box, AirColumn& column)
+{
+    forRows(layout, box, [&](std::size_t at, int count) { std::fill_n(column.data() + at, count, 0.0F); });
+}
+
 /// Lets air through the faces that have air on both sides; those of ghosts too, which nodes on the border take their
 /// means from.
-void openFaces(AirCells& cells)
+void openFaces(AirCells& cells, const CellBox& box)
 {
-    const glm::ivec3 n = cells.grid.cells;
-    cells.open.resize(cells.column.size);
+    const CellBox faces = facesOf(box);
     const auto row = [&](auto& column, int j, int k) {
-        return column.data() + cells.column.at(-1, std::max(j, -1), std::max(k, -1));
+        return column.data() + cells.column.at(0, std::max(j, -1), std::max(k, -1));
     };
-    forPlanes(cells.column, -1, n.z + 1, 1, [&](int k) {
-        for (int j = -1; j <= n.y; ++j) {
+    forPlanes(faces, [&](int k) {
+        for (int j = faces.low.y; j < faces.high.y; ++j) {
             const float* fluid = row(cells.fluid, j, k);
             const float* before = row(cells.fluid, j - 1, k);
             const float* under = row(cells.fluid, j, k - 1);
             float* x = row(cells.open.x, j, k);
             float* y = row(cells.open.y, j, k);
             float* z = row(cells.open.z, j, k);
-            for (int i = 0; i < n.x + 2; ++i) {
-                x[i] = std::min(fluid[i], fluid[std::max(0, i - 1)]);
+            for (int i = faces.low.x; i < faces.high.x; ++i) {
+                x[i] = std::min(fluid[i], fluid[std::max(-1, i - 1)]);
                 y[i] = std::min(fluid[i], before[i]);
                 z[i] = std::min(fluid[i], under[i]);
             }
@@ -44,17 +72,25 @@ void openFaces(AirCells& cells)
     });
 }
 
-/// Cells of a grid from low up to, and without, high.
-struct CellBox {
-    glm::ivec3 low{0};
-    glm::ivec3 high{0};
-};
-
-/// Calls visit(cell) for all cells of a box, those along x first.
-template <class Visit>
-void forCellsOf(const CellBox& box, const Visit& visit)
+void removeSolids(AirCells& cells)
 {
-    forCells(box.high - box.low, [&](const glm::ivec3& within) { visit(box.low + within); });
+    cells.skin.clear();
+    cells.fluid.clear();
+    cells.open.clear();
+    cells.touching.clear();
+    cells.wall.clear();
+}
+
+/// Makes room for obstacles, of which none stands yet.
+void makeRoom(AirCells& cells)
+{
+    const CellBox all{glm::ivec3(0), cells.grid.cells};
+    cells.fluid.assign(cells.column.size, 0.0F);
+    forRows(cells.column, facesOf(all),
+        [&](std::size_t at, int count) { std::fill_n(cells.fluid.data() + at, count, 1.0F); });
+    cells.open.resize(cells.column.size);
+    openFaces(cells, all);
+    cells.touching.assign(cells.column.size, 0.0F);
 }
 
 /// All cells that solids may lie in, and those beside them.
@@ -76,35 +112,51 @@ CellBox cellsAround(const AirGrid& grid, std::span<const Solid> solids)
     return box;
 }
 
-/// Finds the cells whose centres lie in no solid.
+/// Finds the cells of a box whose centres lie in no solid.
 /// @return how many lie in one
-std::int64_t findFluid(const AirCells& cells, std::span<const Solid> solids, const CellBox& around, AirColumn& fluid)
+std::int64_t findFluid(AirCells& cells, std::span<const Solid> solids, const CellBox& box)
 {
-    const glm::ivec3 n = cells.grid.cells;
-    fluid.assign(cells.column.size, 0.0F);
-    forPlanes(cells.column, 0, n.z, 1, [&](int k) {
-        for (int j = 0; j < n.y; ++j) {
-            std::fill_n(fluid.data() + cells.column.at(0, j, k), n.x, 1.0F);
-        }
-    });
     std::int64_t inside = 0;
-    forCellsOf(around, [&](const glm::ivec3& c) {
+    forCellsOf(box, [&](const glm::ivec3& c) {
         const glm::vec3 centre = cells.grid.centre(c);
-        if (std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(centre); })) {
-            fluid[cells.column.at(c.x, c.y, c.z)] = 0.0F;
-            ++inside;
-        }
+        const bool isWall =
+            std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(centre); });
+        cells.fluidAnew[cells.column.at(c.x, c.y, c.z)] = isWall ? 0.0F : 1.0F;
+        inside += isWall ? 1 : 0;
     });
     return inside;
 }
 
-/// Lists the cells of obstacles that have air beside them, and counts the walls that air touches.
-void findHalo(AirCells& cells, const CellBox& around)
+/// Makes the cells walls or air as was found, and their ghosts.
+/// @return whether any has changed
+bool takeFluid(AirCells& cells)
 {
+    std::atomic<bool> hasChanged = false;
+    forRows(cells.column, cells.changed, [&](std::size_t at, int count) {
+        const float* anew = cells.fluidAnew.data() + at;
+        float* fluid = cells.fluid.data() + at;
+        if (!std::equal(anew, anew + count, fluid)) {
+            std::copy_n(anew, count, fluid);
+            hasChanged = true;
+        }
+    });
+    const CellBox& box = cells.changed;
+    const bool atBorder =
+        glm::any(glm::equal(box.low, glm::ivec3(0))) || glm::any(glm::equal(box.high, cells.grid.cells));
+    for (int k = box.low.z; hasChanged && atBorder && k < box.high.z; ++k) {
+        fillEvenGhosts(cells, cells.fluid, k);
+    }
+    return hasChanged;
+}
+
+/// Lists the cells of obstacles that have air beside them, and counts the walls that air touches.
+void findHalo(AirCells& cells)
+{
+    clear(cells.column, cells.changed, cells.touching);
+    cells.skin.clear();
     const glm::ivec3 n = cells.grid.cells;
     const auto fluid = [&](const glm::ivec3& c) { return cells.fluid[cells.column.at(c.x, c.y, c.z)] != 0.0F; };
-    cells.touching.assign(cells.column.size, 0.0F);
-    forCellsOf(around, [&](const glm::ivec3& c) {
+    forCellsOf(cells.around, [&](const glm::ivec3& c) {
         AirCells::Halo skin{c, 0};
         for (unsigned side = 0; side < 6; ++side) {
             const glm::ivec3 step = kSteps[side / 2];
@@ -135,7 +187,7 @@ const Solid* solidAt(std::span<const Solid> solids, const glm::vec3& one, const 
 }
 
 /// Finds how fast closed faces move; those of ghosts too.
-void moveWalls(AirCells& cells, std::span<const Solid> solids, const CellBox& around)
+void moveWalls(AirCells& cells, std::span<const Solid> solids)
 {
     const auto moving = std::find_if(solids.begin(), solids.end(), [](const Solid& solid) { return solid.moves(); });
     cells.wallVelocity = moving == solids.end()
@@ -145,12 +197,16 @@ void moveWalls(AirCells& cells, std::span<const Solid> solids, const CellBox& ar
         cells.wall.clear();
         return;
     }
-    cells.wall.resize(cells.column.size);
-    const glm::ivec3 last = cells.grid.cells - 1;
     const std::array open{&cells.open.x, &cells.open.y, &cells.open.z};
     const std::array wall{&cells.wall.x, &cells.wall.y, &cells.wall.z};
-    // Ghosts are beside cells of the box where those are at the border.
-    forCellsOf({around.low - 1, around.high + 1}, [&](const glm::ivec3& c) {
+    if (!cells.hasMovingWalls()) {
+        cells.wall.resize(cells.column.size);
+    }
+    for (AirColumn* column : wall) {
+        clear(cells.column, facesOf(cells.changed), *column);
+    }
+    const glm::ivec3 last = cells.grid.cells - 1;
+    forCellsOf(facesOf(cells.around), [&](const glm::ivec3& c) {
         const std::size_t at = cells.column.at(c.x, c.y, c.z);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if ((*open[axis])[at] != 0.0F) {
@@ -173,33 +229,30 @@ void moveWalls(AirCells& cells, std::span<const Solid> solids, const CellBox& ar
 
 SolidsPlaced placeSolids(AirCells& cells, std::span<const Solid> solids)
 {
-    AirColumn& fluid = cells.fluidBefore; // as it will be, until they change places
+    const bool hadSolids = cells.hasObstacles();
     const CellBox around = cellsAround(cells.grid, solids);
-    const std::int64_t inside = solids.empty() ? 0 : findFluid(cells, solids, around, fluid);
+    const CellBox changed = hadSolids ? unionOf(around, cells.around) : around;
+    cells.fluidAnew.resize(cells.column.size);
+    const std::int64_t inside = findFluid(cells, solids, changed);
     const glm::i64vec3 n(cells.grid.cells);
     if (inside == n.x * n.y * n.z) {
         return SolidsPlaced::Nowhere;
     }
     if (inside == 0) {
-        const bool hadSolids = cells.hasObstacles();
-        cells.skin.clear();
-        cells.fluid.clear();
-        cells.open.clear();
-        cells.touching.clear();
-        cells.wall.clear();
+        removeSolids(cells);
         return hadSolids ? SolidsPlaced::Elsewhere : SolidsPlaced::AsBefore;
     }
-    for (int k = 0; k < cells.grid.cells.z; ++k) {
-        fillEvenGhosts(cells, fluid, k);
+    if (!hadSolids) {
+        makeRoom(cells);
     }
-    const bool isAsBefore = fluid == cells.fluid;
+    cells.around = around;
+    cells.changed = changed;
+    const bool isAsBefore = !takeFluid(cells);
     if (!isAsBefore) {
-        std::swap(fluid, cells.fluid);
-        cells.skin.clear();
-        openFaces(cells);
-        findHalo(cells, around);
+        openFaces(cells, changed);
+        findHalo(cells);
     }
-    moveWalls(cells, solids, around);
+    moveWalls(cells, solids);
     return isAsBefore ? SolidsPlaced::AsBefore : SolidsPlaced::Elsewhere;
 }
 

@@ -8,12 +8,12 @@ namespace fumage {
 /// A grid with fewer places, ghosts among them, is done by one thread: to share it would take longer.
 inline constexpr std::size_t kWorthSharing = 24576;
 
-/// Calls body(i) for first, first + stride and so on below last, in any order, on all threads where the grid is worth
-/// it.
+/// Calls body(i) for first, first + stride and so on below last, in any order.
+/// @param places of the grid that they are of: few are done by one thread
 template <class Body>
-void forPlanes(const ColumnLayout& layout, int first, int last, int stride, const Body& body)
+void forPlanes(std::size_t places, int first, int last, int stride, const Body& body)
 {
-    if (layout.size < kWorthSharing) {
+    if (places < kWorthSharing) {
         for (int i = first; i < last; i += stride) {
             body(i);
         }
@@ -21,6 +21,22 @@ void forPlanes(const ColumnLayout& layout, int first, int last, int stride, cons
     }
     parallelFor(static_cast<std::size_t>((last - first + stride - 1) / stride),
         [&](std::size_t i) { body(first + stride * static_cast<int>(i)); });
+}
+
+/// The same, on all threads where the grid is worth it.
+template <class Body>
+void forPlanes(const ColumnLayout& layout, int first, int last, int stride, const Body& body)
+{
+    forPlanes(layout.size, first, last, stride, body);
+}
+
+/// Calls body(k) for all planes of a box, in any order, on all threads where it is worth it.
+template <class Body>
+void forPlanes(const CellBox& box, const Body& body)
+{
+    const glm::ivec3 n = box.high - box.low;
+    forPlanes(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z), box.low.z,
+        box.high.z, 1, body);
 }
 
 } // namespace fumage

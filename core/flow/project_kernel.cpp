@@ -41,29 +41,30 @@ struct Faces {
 
 /// The three kinds of faces of a cell.
 struct AllFaces {
-    AllFaces(const AirCells& cells, bool after)
-        : x(facesOf(cells, &AirVectors::x, 1, after))
-        , y(facesOf(cells, &AirVectors::y, cells.column.row, after))
-        , z(facesOf(cells, &AirVectors::z, cells.column.plane, after))
+    /// @param k plane of cells; of faces those beside it may be asked for, too
+    AllFaces(const AirCells& cells, bool after, int k)
+        : x(facesOf(cells, &AirVectors::x, 1, after, k))
+        , y(facesOf(cells, &AirVectors::y, cells.column.row, after, k))
+        , z(facesOf(cells, &AirVectors::z, cells.column.plane, after, k))
     {
     }
 
     Faces x, y, z;
 
 private:
-    static Faces facesOf(const AirCells& cells, AirColumn AirVectors::*axis, std::size_t stride, bool after)
+    static Faces facesOf(const AirCells& cells, AirColumn AirVectors::*axis, std::size_t stride, bool after, int k)
     {
         const AirColumn& open = cells.open.*axis;
         const AirColumn& wall = cells.wall.*axis;
         return {(cells.forced.*axis).data(), after ? cells.pressure.data() : nullptr,
-            open.empty() ? nullptr : open.data(), wall.empty() ? nullptr : wall.data(), stride};
+            open.empty() ? nullptr : open.data(), cells.hasMovingWallsBeside(k) ? wall.data() : nullptr, stride};
     }
 };
 
 void divergencePlane(AirCells& cells, int k)
 {
     const D d;
-    const AllFaces faces(cells, false);
+    const AllFaces faces(cells, false, k);
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
     const auto outOf = [&](const Faces& face, std::size_t at)
                            HWY_ATTR { return face.at(d, at + face.stride) - face.at(d, at); };
@@ -110,7 +111,7 @@ HWY_INLINE V withoutTraces(D d, V value)
 void gradientPlane(AirCells& cells, int k)
 {
     const D d;
-    const AllFaces faces(cells, true);
+    const AllFaces faces(cells, true, k);
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
     for (int j = 0; j < cells.grid.cells.y; ++j) {
         const std::size_t start = cells.column.at(0, j, k);
@@ -283,7 +284,7 @@ HWY_INLINE void storeNodes(D d, const NodeRows& rows, int j, const Smoothing& y,
 
 void nodePlane(const AirCells& cells, AirField& field, int k)
 {
-    const AllFaces faces(cells, true);
+    const AllFaces faces(cells, true, k);
     const glm::ivec3 n = cells.grid.cells;
     const auto last = static_cast<std::size_t>(n.x);
     const Smoothing z(k, n.z);

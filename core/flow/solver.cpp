@@ -122,7 +122,7 @@ bool AirSolver::place(std::span<const Solid> solids)
 {
     const SolidsPlaced placed = placeSolids(m_cells, solids);
     if (placed == SolidsPlaced::Elsewhere) {
-        m_multigrid.setFaces(m_cells.open);
+        m_multigrid.setFaces(m_cells.open, m_cells.changed);
     }
     if (placed != SolidsPlaced::Nowhere) {
         m_solids.assign(solids.begin(), solids.end());

@@ -7,6 +7,9 @@
 #include "core/simulation/advance.h"
 #include "core/simulation/air_cache.h"
 
+#include <array>
+#include <cmath>
+
 namespace fumage::benchmarks {
 
 namespace {
@@ -35,6 +38,37 @@ void airStep(benchmark::State& state, const glm::ivec3& cells, int threads, cons
         air.read(field);
     }
     (void)forceSimdTarget("");
+}
+
+/// Air with a ball in it that goes to and fro, or stands.
+void airAroundBall(benchmark::State& state, int cells, bool moves)
+{
+    const ThreadLimit limit(2);
+    const AirGrid grid = tests::boxOf(glm::ivec3(cells), kHeight);
+    const auto ballAt = [&](int step) {
+        const float phase = moves ? 0.05F * static_cast<float>(step) : 0.0F;
+        return Solid{
+            SolidShape::Sphere, {1.5F * std::sin(phase), 0.5F * kHeight, 0.0F}, glm::vec3(0.2F * kHeight), {}, {}};
+    };
+    const std::array solids{ballAt(0)};
+    AirSolver air(grid, tests::onGround(), solids);
+    AirStep step = tests::plumeStep(grid, 0.4F);
+    step.confinement = 0.1F;
+    AirField field(grid);
+    int at = 0;
+    const auto next = [&] {
+        ++at;
+        if (moves) {
+            step.obstacle = movedBetween(ballAt(at - 1), ballAt(at), step.dt);
+        }
+        air.step(step, field);
+    };
+    for (int i = 0; i < 30; ++i) {
+        next();
+    }
+    for (auto _ : state) {
+        next();
+    }
 }
 
 void obviousAir(benchmark::State& state, const glm::ivec3& cells)
@@ -163,6 +197,14 @@ void addAirBenchmarks(std::vector<Claim>& claims)
             add(name + "_" + simd, [=](benchmark::State& state) { airStep(state, cells, 2, simd); });
             claims.push_back({"  on " + simd, name + "_" + simd, "", ""});
         }
+    }
+    for (const int cells : {48, 64, 96}) {
+        const std::string text = std::to_string(cells);
+        const std::string name = "air/ball_" + text;
+        add(name + "_stands", [=](benchmark::State& state) { airAroundBall(state, cells, false); });
+        add(name + "_moves", [=](benchmark::State& state) { airAroundBall(state, cells, true); });
+        claims.push_back({"air, " + text + " cells, a ball that moves over one that stands, time of the step",
+            name + "_stands", name + "_moves", "", 1.1, true});
     }
     addCarried(claims);
 }
