@@ -99,7 +99,7 @@ Status LiveScene::begin()
         m_frames.push_back({&m_layers[layer].frame(), &m_layers[layer].effect()});
     }
     if (hasTracks()) {
-        animate(0.0, 0.0);
+        animate();
         for (LiveLayer& layer : m_layers) {
             layer.placeAtTarget();
         }
@@ -191,10 +191,6 @@ Result<int> LiveScene::step(double seconds)
     const int steps = static_cast<int>(std::min(whole, static_cast<double>(m_options.mostStepsAtOnce)));
     // time that is let go takes its part of the emitters' way with it
     const double stretch = steps > 0 ? whole / steps : 1.0;
-    if (steps > 0 && hasTracks()) {
-        animate(static_cast<double>(std::max<std::int64_t>(0, m_step)) * m_stepSeconds,
-            static_cast<double>(m_step + steps) * m_stepSeconds);
-    }
     for (int i = 1; i <= steps; ++i) {
         const double share = seconds > 0.0 ? (i * stretch * m_stepSeconds - before) / seconds : 1.0;
         const bool isNow = share > 1.0 - kRoundingOfFloats;
@@ -214,9 +210,12 @@ void LiveScene::stepOnce(double share)
 {
     const auto now = [&] { return m_budget ? m_options.clock() : 0.0; };
     const double start = now();
+    if (hasTracks()) {
+        animate();
+    }
     ++m_step;
     for (const std::size_t layer : m_order) {
-        m_layers[layer].begin(m_step, share);
+        m_layers[layer].begin(m_step, goesByKeys(layer) ? 1.0 : share);
     }
     stepAir(share);
     for (const std::size_t layer : m_order) {
@@ -227,6 +226,9 @@ void LiveScene::stepOnce(double share)
     for (const std::size_t layer : m_order) {
         m_layers[layer].move(this->share(layer));
         full += m_layers[layer].effect()->emitter.count;
+        if (goesByKeys(layer)) {
+            m_layers[layer].arrive();
+        }
     }
     outdateLight();
     if (m_budget) {
@@ -244,7 +246,11 @@ void LiveScene::stepAir(double share)
         const std::size_t layer = m_visible[feeding];
         m_feeders.push_back(m_layers[layer].feeder(m_step, this->share(layer)));
     }
-    m_air->step(m_feeders, m_step, share);
+    const bool byKeys = obstacleGoesByKeys();
+    m_air->step(m_feeders, m_step, byKeys ? 1.0 : share);
+    if (byKeys) {
+        m_air->arrive();
+    }
 }
 
 void LiveScene::followEmitter(std::size_t layer, const Emitter& before, const Emitter& now)

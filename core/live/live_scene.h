@@ -167,9 +167,13 @@ private:
     void followEmitter(std::size_t layer, const Emitter& before, const Emitter& now);
     /// Whether anything changes over time by key frames.
     [[nodiscard]] bool hasTracks() const;
-    /// Sets what key frames say, and sends emitters along their ways; where they jump they are there at once.
-    /// @param before,seconds since the start: what was set last, and what is set now; 0 or more
-    void animate(double before, double seconds);
+    /// Sets what key frames say of the step to come, and sends emitters along their ways; where they jump they are
+    /// there at once.
+    void animate();
+    /// Whether an emitter, or the obstacle, has key frames that say where it is at the end of each step.
+    [[nodiscard]] bool goesByKeys(std::size_t layer) const;
+    [[nodiscard]] bool obstacleGoesByKeys() const;
+    /// @param share of the way that what the game moves has gone by then since the last call of step(), 0 to 1
     void stepOnce(double share);
     void stepAir(double share);
     void outdateLight();

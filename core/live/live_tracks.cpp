@@ -16,8 +16,25 @@ bool LiveScene::hasTracks() const
     });
 }
 
-void LiveScene::animate(double before, double seconds)
+bool LiveScene::goesByKeys(std::size_t layer) const
 {
+    static const Parameter& position = knownParameter("emitter.position");
+    static const Parameter& normal = knownParameter("emitter.normal");
+    const Tracks& tracks = m_scene.layers[layer].tracks;
+    return tracks.find(position) != nullptr || tracks.find(normal) != nullptr;
+}
+
+bool LiveScene::obstacleGoesByKeys() const
+{
+    static const Parameter& position = knownParameter("air.obstacle_position");
+    static const Parameter& size = knownParameter("air.obstacle_size");
+    return m_scene.tracks.find(position) != nullptr || m_scene.tracks.find(size) != nullptr;
+}
+
+void LiveScene::animate()
+{
+    double before = static_cast<double>(std::max<std::int64_t>(0, m_step)) * m_stepSeconds;
+    double seconds = static_cast<double>(m_step + 1) * m_stepSeconds;
     const double end = m_stepSeconds * m_scene.timeline.stepsPerFrame * m_scene.timeline.length;
     if (m_scene.timeline.loop) {
         before = std::fmod(before, end);

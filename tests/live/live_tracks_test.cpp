@@ -60,9 +60,9 @@ double farthestApart(const Particles& before, const Particles& after)
     return farthest;
 }
 
-LiveScene started(const Scene& scene)
+LiveScene started(const Scene& scene, const LiveOptions& options = {})
 {
-    Result<LiveScene> live = LiveScene::start(scene);
+    Result<LiveScene> live = LiveScene::start(scene, options);
     if (!live) {
         qFatal("%s", live.error().text().c_str());
     }
@@ -104,10 +104,26 @@ private slots:
         QVERIFY(sameBits(usual.particles(0), none.particles(0)));
     }
 
+    void theEmitterGoesItsWay_data()
+    {
+        QTest::addColumn<double>("stepsACall");
+        QTest::newRow("one step a call") << 1.0;
+        QTest::newRow("several steps a call") << 5.0;
+        QTest::newRow("all steps in the first call") << 25.0;
+        QTest::newRow("parts of steps are left over") << 2.5;
+        QTest::newRow("less than a step a call") << 0.4;
+    }
     void theEmitterGoesItsWay()
     {
-        LiveScene live = started(animated(dots(6000), "emitter.position=0:0,0,0:linear; 1:3,0,0"));
-        play(live, 25);
+        QFETCH(double, stepsACall);
+        LiveOptions options;
+        options.mostStepsAtOnce = 25;
+        LiveScene live = started(animated(dots(6000), "emitter.position=0:0,0,0:linear; 1:3,0,0"), options);
+        for (int steps = 0; steps < 25;) {
+            const Result<int> made = live.step(stepsACall / 30.0);
+            QVERIFY(made.ok());
+            steps += made.value();
+        }
         const Particles& particles = live.particles(0);
         int seen = 0;
         for (std::size_t i = 0; i < particles.capacity; ++i) {
@@ -136,18 +152,45 @@ private slots:
         QVERIFY2(calm < 0.2 * pushed, qPrintable(QString::number(calm / pushed)));
     }
 
+    void anObstacleGoesAsFarInEachOfSeveralStepsAsAlone_data()
+    {
+        QTest::addColumn<int>("before");
+        QTest::addColumn<double>("stepsACall");
+        QTest::newRow("from the first step on") << 0 << 4.0;
+        QTest::newRow("later") << 1 << 4.0;
+        QTest::newRow("parts of steps are left over") << 1 << 2.5;
+    }
     void anObstacleGoesAsFarInEachOfSeveralStepsAsAlone()
     {
+        QFETCH(int, before);
+        QFETCH(double, stepsACall);
         LiveScene alone = started(besideAnObstacle());
         LiveScene together = started(besideAnObstacle());
-        constexpr int kSteps = 4;
-        play(alone, 1);
-        play(together, 1);
-        for (int call = 0; call < 3; ++call) {
-            play(alone, kSteps);
-            QCOMPARE(together.step(kSteps * together.stepSeconds()).value(), kSteps);
+        play(alone, before);
+        play(together, before);
+        for (int call = 0; call < 4; ++call) {
+            const Result<int> steps = together.step(stepsACall * together.stepSeconds());
+            QVERIFY(steps.ok() && steps.value() > 1);
+            play(alone, steps.value());
             const double apart = farthestApart(alone.particles(0), together.particles(0));
             QVERIFY2(apart < 1e-3, qPrintable(QString::number(apart)));
+        }
+    }
+
+    /// Key frames of something else do not take the emitter out of the game's hand.
+    void whatAGameMovesIsWhereItSaysBesideKeyFrames()
+    {
+        const Scene still = dots(6000);
+        LiveScene plain = started(still);
+        LiveScene keyed = started(animated(still, "look.opacity=0:0.2; 1:1"));
+        for (int call = 1; call <= 10; ++call) {
+            for (LiveScene* live : {&plain, &keyed}) {
+                EmitterPose pose;
+                pose.position.x = 0.1F * static_cast<float>(call);
+                QVERIFY(live->setEmitter(0, pose).ok());
+                QVERIFY(live->step(2.5 * live->stepSeconds()).ok());
+            }
+            QVERIFY(keyed.particles(0).x == plain.particles(0).x);
         }
     }
 
