@@ -98,9 +98,15 @@ float LiveLayer::placesShare() const
     return places < wanted ? static_cast<float>(std::max(0.5, places - kRounding) / wanted) : 1.0F;
 }
 
-void LiveLayer::begin(std::int64_t step, double share)
+void LiveLayer::begin(std::int64_t step, double share, const KeyedPose& keyed)
 {
     m_coming = between(m_reached, m_target, share);
+    if (keyed.position) {
+        m_coming.position = m_reached.position = m_target.position;
+    }
+    if (keyed.normal) {
+        m_coming.normal = m_reached.normal = m_target.normal;
+    }
     m_model->placeEmitter(m_coming.position, m_coming.normal);
     m_frame.step = step - m_model->clock().stepsBehind;
     m_frame.number = static_cast<int>(step / schedule().stepsPerFrame);

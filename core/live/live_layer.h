@@ -61,10 +61,16 @@ public:
     /// An effect of bursts bursts again.
     void burst() { m_clock.restart(); }
 
+    /// What of the emitter's pose key frames say for each step.
+    struct KeyedPose {
+        bool position = false;
+        bool normal = false;
+    };
     /// Begins a step: the emitter goes on along its way.
     /// @param step  of the scene
     /// @param share of the way to the target
-    void begin(std::int64_t step, double share);
+    /// @param keyed of it what is at the target with this step
+    void begin(std::int64_t step, double share, const KeyedPose& keyed);
     /// What it does to the air of the step that has begun.
     /// @param step  of the scene
     /// @param share of births now

@@ -215,7 +215,7 @@ void LiveScene::stepOnce(double share)
     }
     ++m_step;
     for (const std::size_t layer : m_order) {
-        m_layers[layer].begin(m_step, goesByKeys(layer) ? 1.0 : share);
+        m_layers[layer].begin(m_step, share, keyedPose(layer));
     }
     stepAir(share);
     for (const std::size_t layer : m_order) {
@@ -226,9 +226,6 @@ void LiveScene::stepOnce(double share)
     for (const std::size_t layer : m_order) {
         m_layers[layer].move(this->share(layer));
         full += m_layers[layer].effect()->emitter.count;
-        if (goesByKeys(layer)) {
-            m_layers[layer].arrive();
-        }
     }
     outdateLight();
     if (m_budget) {

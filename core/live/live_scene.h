@@ -170,8 +170,9 @@ private:
     /// Sets what key frames say of the step to come, and sends emitters along their ways; where they jump they are
     /// there at once.
     void animate();
-    /// Whether an emitter, or the obstacle, has key frames that say where it is at the end of each step.
-    [[nodiscard]] bool goesByKeys(std::size_t layer) const;
+    /// What of an emitter has key frames that say where it is at the end of each step.
+    [[nodiscard]] LiveLayer::KeyedPose keyedPose(std::size_t layer) const;
+    /// The same of the obstacle.
     [[nodiscard]] bool obstacleGoesByKeys() const;
     /// @param share of the way that what the game moves has gone by then since the last call of step(), 0 to 1
     void stepOnce(double share);

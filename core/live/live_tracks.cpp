@@ -16,12 +16,12 @@ bool LiveScene::hasTracks() const
     });
 }
 
-bool LiveScene::goesByKeys(std::size_t layer) const
+LiveLayer::KeyedPose LiveScene::keyedPose(std::size_t layer) const
 {
     static const Parameter& position = knownParameter("emitter.position");
     static const Parameter& normal = knownParameter("emitter.normal");
     const Tracks& tracks = m_scene.layers[layer].tracks;
-    return tracks.find(position) != nullptr || tracks.find(normal) != nullptr;
+    return {tracks.find(position) != nullptr, tracks.find(normal) != nullptr};
 }
 
 bool LiveScene::obstacleGoesByKeys() const

@@ -89,7 +89,8 @@ void makeCheap(Effect& effect)
     effect.output.supersample = std::min(effect.output.supersample, 2);
     effect.output.quality = std::min(effect.output.quality, Quality::Good);
     effect.timeline.length = std::min(effect.timeline.length, kFew);
-    if (makeSchedule(sampled(effect)).firstStep > kMaxSteps) {
+    effect.air.resolution = std::min(effect.air.resolution, kMinAirResolution);
+    if (makeSchedule(sampled(effect)).firstStep < -kMaxSteps) {
         effect.timeline.prewarm = false;
         effect.timeline.loop = false;
     }

@@ -178,11 +178,18 @@ private slots:
     }
 
     /// Key frames of something else do not take the emitter out of the game's hand.
+    void whatAGameMovesIsWhereItSaysBesideKeyFrames_data()
+    {
+        QTest::addColumn<QString>("keys");
+        QTest::newRow("of the look") << "look.opacity=0:0.2; 1:1";
+        QTest::newRow("of the emitter's normal") << "emitter.normal=0:0,1,0; 1:0,1,1";
+    }
     void whatAGameMovesIsWhereItSaysBesideKeyFrames()
     {
+        QFETCH(QString, keys);
         const Scene still = dots(6000);
         LiveScene plain = started(still);
-        LiveScene keyed = started(animated(still, "look.opacity=0:0.2; 1:1"));
+        LiveScene keyed = started(animated(still, keys.toUtf8().constData()));
         for (int call = 1; call <= 10; ++call) {
             for (LiveScene* live : {&plain, &keyed}) {
                 EmitterPose pose;
