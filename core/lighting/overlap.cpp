@@ -13,7 +13,9 @@ namespace {
 int cellsInOne(const Appearance& appearance, const GridShape& shape)
 {
     constexpr float kTypical = 0.6F; // a particle's radius over the largest
-    return std::max(1, static_cast<int>(kTypical * appearance.largestRadius / shape.cell));
+    // Of any grid one holds all long before; numbers of cells stay far from where they would overflow.
+    constexpr float kMost = 1e6F;
+    return std::max(1, static_cast<int>(std::min(kMost, kTypical * appearance.largestRadius / shape.cell)));
 }
 
 /// A grid of cells that are several times as large, over the same place.
@@ -37,7 +39,8 @@ void gatherPlane(const LightGrid& from, int factor, int plane, OverlapWorkspace&
     float* out = to.density.data()
         + static_cast<std::size_t>(plane) * static_cast<std::size_t>(coarse.nu) * static_cast<std::size_t>(coarse.nv);
     std::fill_n(out, static_cast<std::size_t>(coarse.nu) * static_cast<std::size_t>(coarse.nv), 0.0F);
-    const float share = 1.0F / static_cast<float>(factor * factor * factor);
+    const auto edge = static_cast<float>(factor);
+    const float share = 1.0F / (edge * edge * edge);
     for (int w = plane * factor; w < std::min((plane + 1) * factor, fine.nw); ++w) {
         for (int v = 0; v < fine.nv; ++v) {
             const float* row = from.densityOfParticles().data()

@@ -200,6 +200,25 @@ private slots:
         QVERIFY(near(crossSection(lit.grid) / mass, 1.0, 1e-3));
     }
 
+    void particlesLargerThanAllOfTheLightStayFinite()
+    {
+        Effect effect = lookInSun();
+        effect.look.overlap = 4.0F;
+        const Frame frame = cloud(effect, box(8));
+        const Lit lit(frame, effect);
+        for (const float cells : {1e3F, 65536.0F, 106977.0F, 1e9F, 1e30F}) {
+            Appearance after = lit.appearance;
+            after.largestRadius = cells * lit.grid.shape.cell / 0.6F;
+            OverlapWorkspace room;
+            inflateSparseParticles(frame, sampled(effect), lit.grid, room, after);
+            for (std::size_t i = 0; i < after.count; ++i) {
+                QVERIFY2(std::isfinite(after.radius[i]) && std::isfinite(after.alpha[i]),
+                    qPrintable(QString::number(static_cast<double>(cells))));
+                QVERIFY(after.radius[i] >= lit.appearance.radius[i]);
+            }
+        }
+    }
+
     void thinParticlesLeaveAsMuchSmokeAsDenseOnes()
     {
         // A hundredth of the size and of the alpha that the look allows at most.
