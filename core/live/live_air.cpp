@@ -123,11 +123,6 @@ void LiveAir::moveObstacle(float share)
             move(part, false);
         }
         move(m_step, true);
-    } else {
-        for (AirStep& part : m_step.earlier) {
-            part.obstacle = after;
-        }
-        m_step.obstacle = after;
     }
     m_solids.front() = *m_step.obstacle;
 }

@@ -32,7 +32,7 @@ Scene animated(Scene scene, const char* keys)
 }
 
 /// A sphere that goes through still air for .4 s and stands then, among particles that this air carries.
-Scene besideAnObstacle()
+Scene besideAnObstacle(const char* keys = "0:-0.2,1,0:linear; 0.4:0.2,1,0")
 {
     Effect effect = dots(2000).effect();
     effect.emitter.width = 2.0F;
@@ -44,7 +44,7 @@ Scene besideAnObstacle()
     effect.air.obstacle = Obstacle::Sphere;
     effect.air.obstacleSize = glm::vec3(0.6F);
     effect.air.obstaclePosition = {-0.2F, 1.0F, 0.0F};
-    return animated(effect, "air.obstacle_position=0:-0.2,1,0:linear; 0.4:0.2,1,0");
+    return animated(effect, ("air.obstacle_position=" + std::string(keys)).c_str());
 }
 
 /// How far apart a particle is that lives in both, m.
@@ -156,16 +156,22 @@ private slots:
     {
         QTest::addColumn<int>("before");
         QTest::addColumn<double>("stepsACall");
-        QTest::newRow("from the first step on") << 0 << 4.0;
-        QTest::newRow("later") << 1 << 4.0;
-        QTest::newRow("parts of steps are left over") << 1 << 2.5;
+        QTest::addColumn<QByteArray>("keys");
+        const QByteArray slow("0:-0.2,1,0:linear; 0.4:0.2,1,0");
+        QTest::newRow("from the first step on") << 0 << 4.0 << slow;
+        QTest::newRow("later") << 1 << 4.0 << slow;
+        QTest::newRow("parts of steps are left over") << 1 << 2.5 << slow;
+        QTest::newRow("farther than it is large") << 1 << 12.0 << QByteArray("0:-0.8,1,0:linear; 0.4:0.8,1,0");
     }
     void anObstacleGoesAsFarInEachOfSeveralStepsAsAlone()
     {
         QFETCH(int, before);
         QFETCH(double, stepsACall);
-        LiveScene alone = started(besideAnObstacle());
-        LiveScene together = started(besideAnObstacle());
+        QFETCH(QByteArray, keys);
+        LiveScene alone = started(besideAnObstacle(keys.constData()));
+        LiveOptions options;
+        options.mostStepsAtOnce = 25;
+        LiveScene together = started(besideAnObstacle(keys.constData()), options);
         play(alone, before);
         play(together, before);
         for (int call = 0; call < 4; ++call) {
