@@ -14,8 +14,8 @@ int cellsInOne(const Appearance& appearance, const GridShape& shape)
 {
     constexpr float kTypical = 0.6F; // a particle's radius over the largest
     // Of any grid one holds all long before; numbers of cells stay far from where they would overflow.
-    constexpr float kMost = 1e6F;
-    return std::max(1, static_cast<int>(std::min(kMost, kTypical * appearance.largestRadius / shape.cell)));
+    constexpr float kMaxInOne = 1e6F;
+    return std::max(1, static_cast<int>(std::min(kMaxInOne, kTypical * appearance.largestRadius / shape.cell)));
 }
 
 /// A grid of cells that are several times as large, over the same place.

@@ -22,6 +22,16 @@ constexpr qint64 kSoonNs = 400'000'000;
 
 constexpr int kCoarseAir = 20; ///< cells: some tens of milliseconds for two hundred steps
 
+/// What the final quality adds would cost the motion more than it gives.
+Scene sceneFor(const RenderRequest& request)
+{
+    Scene scene = *request.scene;
+    if (request.previewQuality != PreviewQuality::Full) {
+        scene.output.quality = std::min(scene.output.quality, Quality::Good);
+    }
+    return scene;
+}
+
 } // namespace
 
 int PicturePlanner::particlesWhileDragging(const PicturePlan& plan, double preRoll) const
@@ -123,11 +133,8 @@ void PicturePlanner::scaleDown(const RenderRequest& request, Quality quality, qi
 
 PicturePlan PicturePlanner::planFor(const RenderRequest& request)
 {
-    Scene asked = *request.scene;
-    if (request.previewQuality != PreviewQuality::Full) {
-        // What the final quality adds would cost the motion more than it gives.
-        asked.output.quality = std::min(asked.output.quality, Quality::Good);
-    }
+    Scene asked = sceneFor(request);
+    const bool hasItsQuality = asked.output.quality == request.scene->output.quality;
     PicturePlan plan(asked, request.solo);
     plan.simulation = request.simulation;
     const Schedule schedule = plan.longestSchedule();
@@ -135,7 +142,7 @@ PicturePlan PicturePlanner::planFor(const RenderRequest& request)
     if (plan.coarseAir) {
         asked.air.resolution = kCoarseAir;
         plan.takeLayersOf(asked);
-    } else if (asked.output.quality == request.scene->output.quality) {
+    } else if (hasItsQuality) {
         m_simulators.renew(plan);
     }
     // Particles are of all ages: a pre-roll takes half a life each.
@@ -163,8 +170,7 @@ PicturePlan PicturePlanner::planFor(const RenderRequest& request)
         } else if (const int count = particlesToSettle(all, plan.stepsEach); count < all) {
             plan.drawSparsely(count);
         }
-        plan.complete =
-            plan.keepsAll && plan.sparse.empty() && asked.output.quality == request.scene->output.quality;
+        plan.complete = plan.keepsAll && plan.sparse.empty() && hasItsQuality;
         break;
     case PreviewQuality::Interactive:
         if (isAtHand(plan)) {
