@@ -97,11 +97,8 @@ CellBox coarsened(const CellBox& box)
 /// Takes the lower faces of the cells of a box, and those above it.
 void copyFaces(const ColumnLayout& layout, const CellBox& box, const AirColumn& from, AirColumn& to)
 {
-    forCellsByPlane(
-        {{box.low.x, box.low.y, box.low.z}, {box.low.x + 1, box.high.y + 1, box.high.z + 1}}, [&](const glm::ivec3& c) {
-            const std::size_t at = layout.at(c.x, c.y, c.z);
-            std::copy_n(from.data() + at, box.high.x + 1 - box.low.x, to.data() + at);
-        });
+    forRows(layout, {box.low, box.high + 1},
+        [&](std::size_t at, int count) { std::copy_n(from.data() + at, count, to.data() + at); });
 }
 
 /// The share of a coarse face that lets air through is the mean of the fine faces in it.

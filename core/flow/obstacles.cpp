@@ -30,17 +30,6 @@ CellBox unionOf(const CellBox& one, const CellBox& other)
     return {glm::min(one.low, other.low), glm::max(one.high, other.high)};
 }
 
-/// Calls visit(place of the first, number of them) for the rows of a box.
-template <class Visit>
-void forRows(const ColumnLayout& layout, const CellBox& box, const Visit& visit)
-{
-    forPlanes(box, [&](int k) {
-        for (int j = box.low.y; j < box.high.y; ++j) {
-            visit(layout.at(box.low.x, j, k), box.high.x - box.low.x);
-        }
-    });
-}
-
 /// Makes the numbers of a box 0.
 void clear(const ColumnLayout& layout, const CellBox& box, AirColumn& column)
 {
@@ -116,6 +105,7 @@ CellBox cellsAround(const AirGrid& grid, std::span<const Solid> solids)
 /// @return how many lie in one
 std::int64_t findFluid(AirCells& cells, std::span<const Solid> solids, const CellBox& box)
 {
+    cells.fluidAnew.resize(cells.column.size);
     std::int64_t inside = 0;
     forCellsOf(box, [&](const glm::ivec3& c) {
         const glm::vec3 centre = cells.grid.centre(c);
@@ -232,8 +222,7 @@ SolidsPlaced placeSolids(AirCells& cells, std::span<const Solid> solids)
     const bool hadSolids = cells.hasObstacles();
     const CellBox around = cellsAround(cells.grid, solids);
     const CellBox changed = hadSolids ? unionOf(around, cells.around) : around;
-    cells.fluidAnew.resize(cells.column.size);
-    const std::int64_t inside = findFluid(cells, solids, changed);
+    const std::int64_t inside = solids.empty() ? 0 : findFluid(cells, solids, changed);
     const glm::i64vec3 n(cells.grid.cells);
     if (inside == n.x * n.y * n.z) {
         return SolidsPlaced::Nowhere;

@@ -39,4 +39,15 @@ void forPlanes(const CellBox& box, const Body& body)
         box.high.z, 1, body);
 }
 
+/// Calls visit(place of the first, number of them) for the rows of a box, likewise.
+template <class Visit>
+void forRows(const ColumnLayout& layout, const CellBox& box, const Visit& visit)
+{
+    forPlanes(box, [&](int k) {
+        for (int j = box.low.y; j < box.high.y; ++j) {
+            visit(layout.at(box.low.x, j, k), box.high.x - box.low.x);
+        }
+    });
+}
+
 } // namespace fumage
