@@ -23,23 +23,32 @@ HWY_INLINE V covered(D d, V inside, float width)
     return smoothStep(clamp01(d, inside * (1.0F / width) + 0.5F));
 }
 
-/// Noise at a place: of the rim in x, of the speed in y, and of the heat in z, which has an octave more.
-HWY_INLINE Vec3<V> sourceNoise(D d, const AirSource& source, const Vec3<V>& away)
+HWY_INLINE void addOctave(D d, const AirOctave& octave, const Vec3<V>& away, Vec3<V>& to)
+{
+    Vec3<V> none = uniform(hn::Zero(d));
+    addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none);
+}
+
+/// Noise at a place: of the rim in x, of the speed in y, and in z what the heat has of it.
+HWY_INLINE Vec3<V> rimNoise(D d, const AirSource& source, const Vec3<V>& away)
 {
     Vec3<V> sum = uniform(hn::Zero(d));
-    Vec3<V> none = sum;
-    const auto add = [&](const AirOctave& octave, Vec3<V>& to) HWY_ATTR {
-        addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none);
-    };
     for (const AirOctave& octave : source.rim) {
-        add(octave, sum);
-    }
-    if (source.unevenness > 0.0F) {
-        Vec3<V> small = uniform(hn::Zero(d));
-        add(source.billow, small);
-        sum.z = sum.z + small.z;
+        addOctave(d, octave, away, sum);
     }
     return sum;
+}
+
+/// How hot what comes out at a place is, over the mean: its noise is the rim's and that of an octave more.
+/// @param rim z of rimNoise()
+HWY_INLINE V heatAt(D d, const AirSource& source, const Vec3<V>& away, V rim)
+{
+    if (source.unevenness > 0.0F) {
+        Vec3<V> small = uniform(hn::Zero(d));
+        addOctave(d, source.billow, away, small);
+        rim = rim + small.z;
+    }
+    return hn::Max(1.0F + source.unevenness * rim, hn::Zero(d));
 }
 
 /// How much of places lies between the two ends of the source, 0 to 1. A sphere has none.
@@ -113,13 +122,13 @@ float meanOfUnevenness(const AirSource& source)
         const V up = isBall ? z * source.reach.x : (0.5F * z + 0.5F) * source.depth;
         const Vec3<V> away =
             (x * source.reach.x) * source.basis.across + (y * source.reach.y) * source.basis.along + up * source.normal;
-        const V noise = sourceNoise(d, source, away).z;
+        const V given = heatAt(d, source, away, rimNoise(d, source, away).z);
         const V distance2 = isBall ? x * x + y * y + z * z : x * x + y * y;
         const bool isCube = source.shape == EmitterShape::Rectangle;
         const V counts =
             isCube ? hn::Set(d, 1.0F) : hn::IfThenElseZero(hn::Lt(distance2, hn::Set(d, 1.0F)), hn::Set(d, 1.0F));
         hn::Store(counts, d, inside + i);
-        hn::Store(counts * hn::Max(1.0F + source.unevenness * noise, hn::Zero(d)), d, heat + i);
+        hn::Store(counts * given, d, heat + i);
     }
     return static_cast<float>(
         std::accumulate(heat, heat + kPlaces, 0.0) / std::accumulate(inside, inside + kPlaces, 0.0));
@@ -140,10 +149,13 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
             if (hn::AllFalse(d, hn::Gt(ends, hn::Zero(d)))) {
                 continue;
             }
-            const Vec3<V> noise = sourceNoise(d, source, away);
+            const Vec3<V> noise = rimNoise(d, source, away);
             const V cover = coverage(d, source, away, ends, noise.x);
+            if (hn::AllFalse(d, hn::Gt(cover, hn::Zero(d)))) {
+                continue; // most of the cells that a rim may reach it does not
+            }
             const V heat = hn::Load(d, cells.heat.data() + at);
-            const V given = hn::Max(1.0F + source.unevenness * noise.z, hn::Zero(d)) * source.heat;
+            const V given = heatAt(d, source, away, noise.z) * source.heat;
             hn::Store(hn::Max(heat, cover * given), d, cells.heat.data() + at);
             const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
             // What comes out is as uneven as its rim, and blown along by the air that it comes into.

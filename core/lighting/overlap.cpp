@@ -54,15 +54,13 @@ void gatherPlane(const LightGrid& from, int factor, int plane, OverlapWorkspace&
     }
 }
 
-} // namespace
-
-void inflateSparseParticles(const Frame& frame, const SampledEffect& effect, const LightGrid& light,
-    OverlapWorkspace& room, Appearance& appearance)
+/// Finds how dense the smoke around cells that are about as large as particles is, where it is not known yet.
+void findDensity(const LightGrid& light, int factor, OverlapWorkspace& room)
 {
-    if (effect->look.overlap <= 1.0F || appearance.count == 0) {
+    if (room.factor == factor) {
         return;
     }
-    const int factor = cellsInOne(appearance, light.shape);
+    room.factor = factor;
     room.shape = coarser(light.shape, factor);
     constexpr std::size_t kPadding = kAlignment / sizeof(float);
     room.density.resize(room.shape.cells() + kPadding);
@@ -72,6 +70,17 @@ void inflateSparseParticles(const Frame& frame, const SampledEffect& effect, con
     parallelFor(planes, [&](std::size_t plane) {
         findDensityAround(room.shape, room.density.data(), static_cast<int>(plane), room.around.data());
     });
+}
+
+} // namespace
+
+void inflateSparseParticles(const Frame& frame, const SampledEffect& effect, const LightGrid& light,
+    OverlapWorkspace& room, Appearance& appearance)
+{
+    if (effect->look.overlap <= 1.0F || appearance.count == 0) {
+        return;
+    }
+    findDensity(light, cellsInOne(appearance, light.shape), room);
     parallelFor(frame.particles.chunks(), [&](std::size_t chunk) {
         growChunk(frame.particles, room.shape, room.around.data(), effect->look.overlap, chunk, appearance);
     });

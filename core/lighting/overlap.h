@@ -9,6 +9,10 @@ struct OverlapWorkspace {
     GridShape shape; ///< of cells about as large as particles
     AlignedArray<float> density; ///< extinction in them, 1/m
     AlignedArray<float> around; ///< the same over the neighbourhood of each
+    int factor = 0; ///< how many cells of the light one of them is long; 0: nothing is found yet
+
+    /// Before the first layer of a picture: what was found is of another light.
+    void forget() { factor = 0; }
 };
 
 /// Lets particles grow where few overlap, so that smoke ends as haze and not as dots.
@@ -18,6 +22,7 @@ struct OverlapWorkspace {
 /// 1 + n is below effect.look.overlap, the radius grows by the cube root of what lacks, at most threefold, and the
 /// alpha shrinks by its square: the particle covers as much as before, and light does not change.
 /// @param light      of the same frame, with density
+/// @param room       of the same light, or forgotten: layers whose particles are about as large find its density once
 /// @param appearance as lightSmoke() was given it
 /// O(particles + cells). The same bits for any thread count and instruction set.
 void inflateSparseParticles(const Frame& frame, const SampledEffect& effect, const LightGrid& light,

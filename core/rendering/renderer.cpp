@@ -128,6 +128,7 @@ Status Renderer::findSmoke(LayerFrames layers, const glm::vec3& eye)
     findBodies();
     softenLight(m_light, m_lightWorkspace);
     lightByFire(m_lit, m_fireWorkspace, m_lightWorkspace, m_light);
+    m_overlapWorkspace.forget();
     for (std::size_t i = 0; i < layers.size(); ++i) {
         inflateSparseParticles(
             *layers[i].frame, *layers[i].effect, m_light, m_overlapWorkspace, m_layers[i]->appearance);

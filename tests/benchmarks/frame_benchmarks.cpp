@@ -3,8 +3,9 @@
 #include "core/base/parallel.h"
 #include "core/preset/library.h"
 #include "core/rendering/renderer.h"
+#include "core/rendering/scene_renderer.h"
 #include "core/rendering/view_transform.h"
-#include "core/simulation/simulator.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <cmath>
 
@@ -16,11 +17,11 @@ constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 
 /// Step, light, sort and composite of frame after frame, as the viewport plays them once its air is baked.
-void play(benchmark::State& state, const Effect& effect, int width, int height, int threads)
+void play(benchmark::State& state, const Scene& scene, int width, int height, int threads)
 {
     const ThreadLimit limit(threads);
-    const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke, 0);
+    const std::vector<SampledEffect> layers = sampledLayers(scene);
+    SceneSimulator simulator(layers, 0);
     Renderer renderer;
     renderer.setPhaseMix(PhaseMix::Choose);
     Image image;
@@ -30,17 +31,18 @@ void play(benchmark::State& state, const Effect& effect, int width, int height, 
     // The first frames make room for themselves; playing goes on in buffers that are there.
     constexpr int kWarmUp = 6;
     constexpr int kBaked = 200; // more than are played
-    if (effect.air.enabled) {
+    if (scene.air.enabled) {
         (void)simulator.frame(kBaked);
     }
     for (; number < kWarmUp; ++number) {
-        (void)renderer.render(*simulator.frame(number).value(), smoke, width, height, image);
+        const SceneFrame frame = simulator.frame(number).value();
+        (void)renderer.render(LayersAtFrame(frame, layers), width, height, image);
     }
     for (auto _ : state) {
         const auto start = std::chrono::steady_clock::now();
-        const std::shared_ptr<const Frame> frame = simulator.frame(number++).value();
+        const SceneFrame frame = simulator.frame(number++).value();
         stepping += std::chrono::steady_clock::now() - start;
-        (void)renderer.render(*frame, smoke, width, height, image);
+        (void)renderer.render(LayersAtFrame(frame, layers), width, height, image);
         sums.light += renderer.times().light;
         sums.sprites += renderer.times().sprites;
         sums.composite += renderer.times().composite;
@@ -65,6 +67,19 @@ Effect defaultLook(int count)
     return effect;
 }
 
+/// A scene whose particles are divided among layers that are alike but for their seeds. The first one feeds the air:
+/// the smoke is as large as that of one layer with all particles.
+Scene inLayers(Scene scene, int layers)
+{
+    scene.layers.resize(static_cast<std::size_t>(layers), scene.layers.front());
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        scene.layers[i].emitter.count /= layers;
+        scene.layers[i].emitter.seed += static_cast<std::uint32_t>(i);
+        scene.layers[i].source.feeds = scene.layers[i].source.feeds && i == 0;
+    }
+    return scene;
+}
+
 void encodeForScreen(benchmark::State& state)
 {
     Image image;
@@ -80,9 +95,9 @@ void encodeForScreen(benchmark::State& state)
 
 void addFrameBenchmarks(std::vector<Claim>& claims)
 {
-    const auto add = [](const std::string& name, const Effect& effect, int width, int height, int threads) {
+    const auto add = [](const std::string& name, const Scene& scene, int width, int height, int threads) {
         benchmark::RegisterBenchmark(
-            name.c_str(), [=](benchmark::State& state) { play(state, effect, width, height, threads); })
+            name.c_str(), [=](benchmark::State& state) { play(state, scene, width, height, threads); })
             ->UseRealTime()
             ->Unit(benchmark::kMillisecond);
     };
@@ -95,7 +110,7 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     finest.output.quality = Quality::Final;
     add("frame/default_4k_final", finest, 3840, 2160, 2);
     benchmark::RegisterBenchmark("frame/encode_8bit", encodeForScreen)->UseRealTime()->Unit(benchmark::kMillisecond);
-    const auto addParts = [&](const char* name) {
+    const auto addParts = [&](const std::string& name) {
         for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
             claims.push_back({"  part", name, "", part});
         }
@@ -107,6 +122,13 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     claims.push_back({"  2 threads over 1", "frame/default_100k", "frame/default_100k_1thread", "", 1.8});
     claims.push_back({"whole frame, 1 000 000 particles", "frame/default_1M", "", "frames/s", 15.0});
     addParts("frame/default_1M");
+    for (const auto& [layers, most] : {std::pair{4, 1.15}, std::pair{16, 1.3}}) {
+        const std::string name = "frame/layers_" + std::to_string(layers);
+        add(name, inLayers(defaultLook(100000), layers), kWidth, kHeight, 2);
+        claims.push_back({"100 000 particles in " + std::to_string(layers) + " layers over one", "frame/default_100k",
+            name, "", most, true});
+        addParts(name);
+    }
     claims.push_back({"default preset at 512 x 512", "frame/default_512", "", "", 16.0, true});
     claims.push_back(
         {"default preset in final quality at 3840 x 2160", "frame/default_4k_final", "", "", 2000.0, true});

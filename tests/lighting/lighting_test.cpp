@@ -219,6 +219,30 @@ private slots:
         }
     }
 
+    void layersOfOnePictureGrowAsEachAlone()
+    {
+        Effect effect = lookInSun();
+        effect.look.overlap = 64.0F;
+        OverlapWorkspace shared;
+        for (const int edge : {4, 9}) { // pictures with light of their own
+            const Frame frame = cloud(effect, box(edge));
+            const Lit lit(frame, effect);
+            const SampledEffect layer = sampled(effect);
+            shared.forget();
+            for (const float larger : {1.0F, 1.0F, 6.0F, 1.0F}) {
+                Appearance together = lit.appearance;
+                together.largestRadius *= larger;
+                Appearance alone = together;
+                OverlapWorkspace own;
+                inflateSparseParticles(frame, layer, lit.grid, own, alone);
+                inflateSparseParticles(frame, layer, lit.grid, shared, together);
+                QVERIFY(!std::equal(alone.radius.begin(), alone.radius.end(), lit.appearance.radius.begin()));
+                QVERIFY(std::equal(alone.radius.begin(), alone.radius.end(), together.radius.begin()));
+                QVERIFY(std::equal(alone.alpha.begin(), alone.alpha.end(), together.alpha.begin()));
+            }
+        }
+    }
+
     void thinParticlesLeaveAsMuchSmokeAsDenseOnes()
     {
         // A hundredth of the size and of the alpha that the look allows at most.

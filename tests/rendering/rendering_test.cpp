@@ -1,6 +1,10 @@
 #include "tests/helpers.h"
 
 #include "core/base/math.h"
+#include "core/preset/library.h"
+#include "core/rendering/scene_renderer.h"
+#include "core/scene/scene.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -366,6 +370,30 @@ private slots:
         const double one = sum(1);
         QVERIFY(one > 0.0);
         QVERIFY(std::abs(sum(3) / one - 1.0) < 0.02);
+    }
+
+    /// What it keeps from one picture to the next changes none: buffers, textures, coordinates, densities.
+    void aRendererThatIsKeptGivesThePicturesOfANewOne()
+    {
+        Renderer kept;
+        for (const char* name : {"default", "torch", "thesis-2012", "burning-logo"}) {
+            Scene scene = loadPreset(std::string(name)).value().preset.scene;
+            scene.output.quality = Quality::Draft;
+            scene.air.resolution = 24;
+            scene.light.resolution = 32;
+            scene.timeline.prewarm = false;
+            const std::vector<SampledEffect> layers = sampledLayers(scene);
+            SceneSimulator simulator(layers);
+            for (const int number : {12, 3, 20, 12}) {
+                const SceneFrame frame = simulator.frame(number).value();
+                const LayersAtFrame shown(frame, layers);
+                Image later;
+                Image first;
+                QVERIFY(kept.render(shown, 96, 64, later).ok());
+                QVERIFY(Renderer().render(shown, 96, 64, first).ok());
+                QVERIFY2(later.pixels == first.pixels, name);
+            }
+        }
     }
 
     void hugePicturesAreRefusedBeforeAllocating()
