@@ -5512,7 +5512,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
     <message>
         <source>Gives swirls back what the grid takes from them, and no more than that. It makes billows crisp.</source>
-        <translation>Ger virvlarna tillbaka det som rutnätet tar från dem. Lite gör bolstren skarpa; mycket får dem att koka.</translation>
+        <translation>Ger virvlarna tillbaka det som rutnätet tar från dem, och inte mer. Gör bolstren skarpa.</translation>
     </message>
     <message>
         <source>Steinhoff and Underhill 1994</source>
@@ -5949,6 +5949,698 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Stam 1995, multiple scattering as a diffusion process</source>
         <translation>Stam 1995, multipel spridning som diffusion</translation>
+    </message>
+    <message>
+        <source>fluid solver simulation flow grid fire real realistic billow roll mushroom moving air</source>
+        <translation>fluid strömning flöde simulering lösare rutnät eld verklig realistisk bolma rulla svamp</translation>
+    </message>
+    <message>
+        <source>grid cells voxels divisions quality detail</source>
+        <translation>rutnät celler rutor voxlar voxel indelning kvalitet detaljer finhet</translation>
+    </message>
+    <message>
+        <source>auto automatic domain bounds box size</source>
+        <translation>automatisk domän gränser låda ram storlek passa</translation>
+    </message>
+    <message>
+        <source>domain bounds box width height depth</source>
+        <translation>domän gränser låda bredd höjd djup mått utsträckning</translation>
+    </message>
+    <message>
+        <source>domain position move box centre center</source>
+        <translation>domän läge position flytta låda mitt centrum plats</translation>
+    </message>
+    <message>
+        <source>rise lift tall high fast heat hot up float climb</source>
+        <translation>stiga stiger lyfta hög högre snabb het hetta varm varmare uppåt flyta sväva klättra</translation>
+    </message>
+    <message>
+        <source>heat cold temperature short low</source>
+        <translation>värme svalna kall kallare kyla svalare temperatur kort kortare låg lägre</translation>
+    </message>
+    <message>
+        <source>wind speed slow blow</source>
+        <translation>vind fart hastighet långsam långsammare snabb blåsa bromsa luftmotstånd motstånd</translation>
+    </message>
+    <message>
+        <source>confinement swirl curl turbulence detail curly vorticity</source>
+        <translation>virvel virvlar snurra krusig krusning lockig turbulens detaljer skarp vorticitet</translation>
+    </message>
+    <message>
+        <source>disturbance shredding force noise stir chaos break up spread billow rough wild</source>
+        <translation>störning slita kraft brus röra kaos bryta upplösa sprida bolma orolig ojämn vild vildare</translation>
+    </message>
+    <message>
+        <source>disturbance eddy swirl scale wavelength</source>
+        <translation>störning virvel virvlar skala våglängd stor större liten mindre</translation>
+    </message>
+    <message>
+        <source>floor collision plane</source>
+        <translation>golv kollision plan yta botten underlag</translation>
+    </message>
+    <message>
+        <source>floor level altitude</source>
+        <translation>golv nivå altitud höjdläge</translation>
+    </message>
+    <message>
+        <source>drag rough floor wall slip</source>
+        <translation>motstånd sträv skrovlig golv vägg glida hal bromsa</translation>
+    </message>
+    <message>
+        <source>collision collider body wall ceiling</source>
+        <translation>kollision kropp vägg tak krock föremål objekt låda klot</translation>
+    </message>
+    <message>
+        <source>collision place centre center obstacle</source>
+        <translation>hinder kollision plats position mitt centrum flytta</translation>
+    </message>
+    <message>
+        <source>collision width height depth diameter</source>
+        <translation>hinder kollision bredd höjd djup diameter stor större liten mindre</translation>
+    </message>
+    <message>
+        <source>orbit fixed free</source>
+        <translation>kretsa bana runt fast fri kamera</translation>
+    </message>
+    <message>
+        <source>turn orbit rotate angle azimuth heading</source>
+        <translation>vrida rotera kretsa vinkel azimut kurs riktning sväng</translation>
+    </message>
+    <message>
+        <source>tilt elevation angle above below</source>
+        <translation>luta höjdvinkel elevation vinkel ovanifrån uppifrån underifrån nedifrån</translation>
+    </message>
+    <message>
+        <source>zoom near far close dolly range</source>
+        <translation>zoom zooma nära närmare långt längre bort avlägsen</translation>
+    </message>
+    <message>
+        <source>look at pivot focus center</source>
+        <translation>titta vridpunkt pivot fokus mittpunkt centrum sikte</translation>
+    </message>
+    <message>
+        <source>turn spin rotate orbit</source>
+        <translation>vrida snurra rotera kretsa runt rotation varv</translation>
+    </message>
+    <message>
+        <source>place location move eye</source>
+        <translation>plats position flytta placering öga</translation>
+    </message>
+    <message>
+        <source>look direction aim</source>
+        <translation>titta riktning sikta sikte håll vända</translation>
+    </message>
+    <message>
+        <source>zoom lens wide field of view fov</source>
+        <translation>zoom objektiv lins vidvinkel bildvinkel synfält vid smal tele fov</translation>
+    </message>
+    <message>
+        <source>life duration lifespan age seconds long longer short shorter live last persist linger die</source>
+        <translation>liv livstid varaktighet ålder sekunder lång längre kort kortare leva vara dröja dö försvinna</translation>
+    </message>
+    <message>
+        <source>thick dense more number amount quantity density rate spawn</source>
+        <translation>tjock tät antal fler mer tjockare tätare mängd partikel många densitet täthet få färre</translation>
+    </message>
+    <message>
+        <source>birth spawn amount share on off fire lit goes out swell ignite extinguish</source>
+        <translation>födelse föda takt mängd andel på av eld tända slockna släcka svälla emission</translation>
+    </message>
+    <message>
+        <source>source form disc disk sphere rectangle picture image logo text mask</source>
+        <translation>källa skiva disk klot sfär rektangel bild logotyp logga text mask figur</translation>
+    </message>
+    <message>
+        <source>source wide narrow size diameter width</source>
+        <translation>källa bred bredare smal smalare storlek diameter bredd stor större liten mindre</translation>
+    </message>
+    <message>
+        <source>source size wide narrow</source>
+        <translation>källa storlek bredare smal smalare stor större</translation>
+    </message>
+    <message>
+        <source>size source length</source>
+        <translation>storlek källa längd mått utsträckning</translation>
+    </message>
+    <message>
+        <source>image logo text mask texture map bright pixels png file</source>
+        <translation>logotyp logga text mask textur karta ljus bildpunkter pixlar pixel png fil foto</translation>
+    </message>
+    <message>
+        <source>direction aim up orientation</source>
+        <translation>riktning sikta uppåt orientering håll vända</translation>
+    </message>
+    <message>
+        <source>place location source move origin path carry swing</source>
+        <translation>plats position källa flytta ursprung bana väg bära svinga</translation>
+    </message>
+    <message>
+        <source>velocity fast slow initial jet throw strong weak</source>
+        <translation>hastighet snabb snabbare långsam långsammare begynnelsefart stråle kasta stark starkare svag svagare</translation>
+    </message>
+    <message>
+        <source>random chaos jitter irregular uneven wild velocity randomness</source>
+        <translation>slump slumpmässig kaos skakig oregelbunden ojämn vild vildare fart variation</translation>
+    </message>
+    <message>
+        <source>wide narrow cone angle nozzle fan direction focused spread</source>
+        <translation>bred bredare smal smalare kon vinkel munstycke solfjäder riktning samlad fokuserad</translation>
+    </message>
+    <message>
+        <source>parent trail born on sub emitter take along throw</source>
+        <translation>ärva förälder spår svans föds följa medfölja fart kasta</translation>
+    </message>
+    <message>
+        <source>birth death dies end burst on death sub emitter age firework event</source>
+        <translation>födelse död dör slut explosion brista föds subemitter ålder fyrverkeri händelse</translation>
+    </message>
+    <message>
+        <source>birth death dies end burst on birth sub emitter age firework event</source>
+        <translation>födelse död dör slut explosion brista föds subemitter ålder fyrverkeri händelse</translation>
+    </message>
+    <message>
+        <source>burst explosion puff continuous once</source>
+        <translation>puff explosion smäll stöt ständig kontinuerlig enstaka engång emission</translation>
+    </message>
+    <message>
+        <source>burst explosion puff time</source>
+        <translation>explosion utbrott stöt smäll tid varaktighet</translation>
+    </message>
+    <message>
+        <source>delay begin time offset late when</source>
+        <translation>fördröjning börja dröja tid förskjutning sen senare när vänta</translation>
+    </message>
+    <message>
+        <source>end stop emit time</source>
+        <translation>slut sluta stopp stoppa tid varaktighet upphöra utsläpp</translation>
+    </message>
+    <message>
+        <source>smooth stream stripes bands birth between steps</source>
+        <translation>jämn mjuk slät ström ränder band skivor födelse delsteg bildruta</translation>
+    </message>
+    <message>
+        <source>random different another</source>
+        <translation>slump slumpmässig annan annat annorlunda ny variant</translation>
+    </message>
+    <message>
+        <source>flame fire glow burn heat hot incandescent emission flash</source>
+        <translation>eld låga flamma lågor glöd brinna hetta het glödande emission sken blixt ljusare</translation>
+    </message>
+    <message>
+        <source>fade glow flame fire smoky soot</source>
+        <translation>tona svalna slockna kallna låga lågor eld rökig sot</translation>
+    </message>
+    <message>
+        <source>center inside white hot fire flame</source>
+        <translation>mitt centrum inre inuti vit vitglödande hetta eld låga</translation>
+    </message>
+    <message>
+        <source>clear transparent soot additive fire</source>
+        <translation>klar klarare genomskinlig sot additiv eld låga tät tätare tunn tunnare ogenomskinlig</translation>
+    </message>
+    <message>
+        <source>flame glow bounce illuminate indirect lit light fire</source>
+        <translation>låga lågor glöd studs belysa lysa upplyst indirekt belysning sken eld</translation>
+    </message>
+    <message>
+        <source>blackbody color fire flame emission from</source>
+        <translation>svartkropp färg eld låga lågor emission källa temperatur</translation>
+    </message>
+    <message>
+        <source>heat kelvin hot cold fire blackbody red blue</source>
+        <translation>hetta värme kelvin het varm kall eld svartkropp röd blå färgtemperatur</translation>
+    </message>
+    <message>
+        <source>color colors fire flame ramp gradient green blue magic</source>
+        <translation>färg eld låga lågor flamma övergång gradient ramp toning grön blå magi</translation>
+    </message>
+    <message>
+        <source>fade vanish disappear dissolve fast slow lifetime life duration age lifespan out die</source>
+        <translation>tona blekna försvinna upplösa avta snabb snabbare långsam långsammare livslängd varaktighet ålder dö</translation>
+    </message>
+    <message>
+        <source>transparent transparency opacity density start</source>
+        <translation>genomskinlig genomskinlighet opacitet täthet tät start börja begynnelse</translation>
+    </message>
+    <message>
+        <source>life duration random variation lifespan lifetime variance</source>
+        <translation>slump slumpmässig variation varaktighet ålder livstid spridning olika</translation>
+    </message>
+    <message>
+        <source>grow shrink scale expansion curve</source>
+        <translation>växa växer krympa skala expansion kurva större mindre svälla</translation>
+    </message>
+    <message>
+        <source>fade in transparent transparency opacity curve</source>
+        <translation>intoning tona genomskinlig genomskinlighet opacitet täthet kurva</translation>
+    </message>
+    <message>
+        <source>sun angle lamp lighting</source>
+        <translation>sol vinkel lampa belysning ljussättning håll</translation>
+    </message>
+    <message>
+        <source>bright dark brightness sun strength dim light intensity flash lightning strobe</source>
+        <translation>ljus ljusare mörk mörkare ljusstyrka sol styrka dämpa svag blixt åska stroboskop sken</translation>
+    </message>
+    <message>
+        <source>dark self-shadow shade black absorption thick contrast</source>
+        <translation>mörk mörkare självskugga svart absorption tjock tjockare kontrast dunkel</translation>
+    </message>
+    <message>
+        <source>bright translucent soft milky white</source>
+        <translation>genomlysande ljusare genomskinlig mjuk mjukare mjölkig vit vitare</translation>
+    </message>
+    <message>
+        <source>diffuse diffusion white cloud steam snow bounce fill soft bright translucent subsurface black</source>
+        <translation>diffus diffusion vit vitare moln ånga snö studs utfyllnad mjuk ljus ljusare genomlysande svart</translation>
+    </message>
+    <message>
+        <source>forward back rim silver lining phase anisotropy</source>
+        <translation>framåt bakåt kant kantljus silverkant fas motljus spridning gloria</translation>
+    </message>
+    <message>
+        <source>fill sky brightness bright dark dim</source>
+        <translation>utfyllnad fyllnadsljus himmel ljusstyrka ljus ljusare mörk mörkare dämpa</translation>
+    </message>
+    <message>
+        <source>color sun tint warm cold</source>
+        <translation>sol ton nyans varm varmare kall kallare kulör</translation>
+    </message>
+    <message>
+        <source>color ambient blue above</source>
+        <translation>färg omgivningsljus blå ovanifrån uppifrån ovan</translation>
+    </message>
+    <message>
+        <source>color ambient bounce below floor</source>
+        <translation>färg omgivningsljus studs underifrån nedifrån golv</translation>
+    </message>
+    <message>
+        <source>ao ambient dark shade</source>
+        <translation>ao omgivningsljus mörk mörkare skugga skymma</translation>
+    </message>
+    <message>
+        <source>quality detail shadow grid voxels</source>
+        <translation>kvalitet detaljer skugga skuggor rutnät voxlar voxel finhet</translation>
+    </message>
+    <message>
+        <source>thick transparent thin dense mist fog haze density transparency thickness heavy faint alpha solid see-through</source>
+        <translation>genomskinlig tjock tjockare tunn tunnare tät tätare dimma dis densitet opacitet svag alfa solid</translation>
+    </message>
+    <message>
+        <source>big small large scale particle puff diameter tiny huge fat soft thick</source>
+        <translation>stor större liten mindre skala partikel puff diameter pytteliten enorm jättestor fet mjuk tjock</translation>
+    </message>
+    <message>
+        <source>color tint white black dark bright light albedo gray grey dirty</source>
+        <translation>ton nyans vit svart mörk mörkare ljus ljusare albedo grå gråare smutsig kulör</translation>
+    </message>
+    <message>
+        <source>color gradient tint ramp age</source>
+        <translation>gradient övergång ton toning ramp ålder åldrande nyans skifta</translation>
+    </message>
+    <message>
+        <source>sharp crisp cauliflower billow noise displacement upres wavelet advected texture focus folds</source>
+        <translation>skarp skarpare blomkål bolma bulor brus förskjutning uppskalning wavelet textur fokus skärpa veck</translation>
+    </message>
+    <message>
+        <source>scale wavelength billow noise frequency largest</source>
+        <translation>storlek skala våglängd bolma bulor brus frekvens störst stor större liten mindre</translation>
+    </message>
+    <message>
+        <source>regenerate advect dissolve hair boil time</source>
+        <translation>förnya byta återskapa bära upplösa hår sjuda koka tid ålder</translation>
+    </message>
+    <message>
+        <source>bump normal surface light plastic</source>
+        <translation>relief bula bulor normal yta ljus plastisk upphöjd</translation>
+    </message>
+    <message>
+        <source>thin wisps rim haze veil feather soft</source>
+        <translation>tunn tunnare slingor slöja slöjor rand dis fjädrig mjuk mjukare</translation>
+    </message>
+    <message>
+        <source>folds clefts depth occlusion self-shadow</source>
+        <translation>skugga veck skrevor springor djup ocklusion självskugga mörk</translation>
+    </message>
+    <message>
+        <source>detail noise holes transparent grain texture</source>
+        <translation>detaljer brus hål genomskinlig korn kornig yta mönster</translation>
+    </message>
+    <message>
+        <source>dissolve holes wispy ragged torn break up</source>
+        <translation>upplösa hål slöjor trasig trasigare söndrig sönder bryta fransig</translation>
+    </message>
+    <message>
+        <source>dissolve holes edge</source>
+        <translation>upplösa mjuk mjukare hål kant övergång hård hårdare</translation>
+    </message>
+    <message>
+        <source>soft hard edge crisp sharp blur feather rim smooth mist</source>
+        <translation>mjuk mjukare hård hårdare kant skarp skarpare suddig oskärpa fjädrig rand slät jämn dimma</translation>
+    </message>
+    <message>
+        <source>bump normal depth volume plastic</source>
+        <translation>bula bulor normal djup volym plastisk upphöjd</translation>
+    </message>
+    <message>
+        <source>ball round volume puffy fluffy shading</source>
+        <translation>boll rund rundare klot volym puffig fluffig skuggning</translation>
+    </message>
+    <message>
+        <source>random size variation variance</source>
+        <translation>slump slumpmässig variation olika spridning stora små</translation>
+    </message>
+    <message>
+        <source>thin mist expand density mass haze dilution</source>
+        <translation>tunn tunnare utvidga växa densitet täthet massa dis späda avta dimma</translation>
+    </message>
+    <message>
+        <source>dots grain lone haze merge blend grow neighbours smooth mist fog</source>
+        <translation>prickar korn ensam dis smälta blanda växa grannar jämn mjuk dimma</translation>
+    </message>
+    <message>
+        <source>soft particles depth fade floor foot cut intersection contact</source>
+        <translation>mjuka partiklar djup tona golv fot snitt skärning kontakt</translation>
+    </message>
+    <message>
+        <source>noise zoom tiling detail</source>
+        <translation>skala brus zoom upprepning kakel detaljer storlek</translation>
+    </message>
+    <message>
+        <source>boil animate evolve noise speed</source>
+        <translation>sjuda koka animera utvecklas brus fart hastighet förändras</translation>
+    </message>
+    <message>
+        <source>rotate angle random rotation variance</source>
+        <translation>vrida vinkel slump slumpmässig variation rotera vridning</translation>
+    </message>
+    <message>
+        <source>rotate rotation turn fast</source>
+        <translation>snurra rotera rotation vrida vridning snabb snabbare</translation>
+    </message>
+    <message>
+        <source>rotate random rotation spin variance</source>
+        <translation>snurra rotera rotation slump slumpmässig variation vrida</translation>
+    </message>
+    <message>
+        <source>rotate swirl billow</source>
+        <translation>rulla rotera virvel virvla bolma vrida</translation>
+    </message>
+    <message>
+        <source>ellipse anisotropic sheet curl strand flatten shear</source>
+        <translation>ellips oval anisotrop skikt krusning tråd strimma platta skjuvning sträcka töja</translation>
+    </message>
+    <message>
+        <source>relax relaxation round memory</source>
+        <translation>avslappning relaxation återgå rund minne minnas tid</translation>
+    </message>
+    <message>
+        <source>ellipse longest thinnest aspect ratio hair</source>
+        <translation>gräns ellips längst tunnast proportion förhållande hår högst töjning</translation>
+    </message>
+    <message>
+        <source>streak motion blur velocity long</source>
+        <translation>strimma streck rörelseoskärpa sträcka töja lång längre fart hastighet avlång</translation>
+    </message>
+    <message>
+        <source>flame fire hot transparent burn opacity heat</source>
+        <translation>låga flamma eld het hetta genomskinlig brinna opacitet täthet varm</translation>
+    </message>
+    <message>
+        <source>shape sprite square round mask picture image leaf debris</source>
+        <translation>form sprite kvadrat fyrkant rund partikel bild löv skräp</translation>
+    </message>
+    <message>
+        <source>image leaf leaves debris sprite texture map flake petal feather png file</source>
+        <translation>löv blad skräp sprite textur karta flinga kronblad fjäder png fil foto</translation>
+    </message>
+    <message>
+        <source>advect carried dragged inertia ballistic free heavy sparks embers debris collide</source>
+        <translation>buren bära dragen släpa tröghet ballistisk fri tung tyngre gnistor glöd skräp kollidera studsa</translation>
+    </message>
+    <message>
+        <source>restitution elastic rebound collision</source>
+        <translation>studsa elastisk återstudsa kollision krock fjädrande</translation>
+    </message>
+    <message>
+        <source>slide stick roll collision ground</source>
+        <translation>friktion glida fastna rulla kollision mark golv</translation>
+    </message>
+    <message>
+        <source>fall weight down heavy sink drop light</source>
+        <translation>falla vikt nedåt tung tyngre sjunka släppa lätt lättare gravitation</translation>
+    </message>
+    <message>
+        <source>friction slow air resistance damping brake calm</source>
+        <translation>friktion långsam långsammare motstånd dämpning broms bromsa lugn lugnare</translation>
+    </message>
+    <message>
+        <source>chaos jitter random noise irregular wild messy</source>
+        <translation>kaos skakig slump brus oregelbunden vild vildare rörig orolig</translation>
+    </message>
+    <message>
+        <source>random hot rise heat variance</source>
+        <translation>slump slumpmässig het hetta stiga variation olika temperatur</translation>
+    </message>
+    <message>
+        <source>attract inflow narrow thin column tight pull to axis</source>
+        <translation>attrahera inflöde smal smalare tunn tunnare pelare samla ihop</translation>
+    </message>
+    <message>
+        <source>spin turn swirl twist whirl</source>
+        <translation>snurra vrida rotera virvel virvla tvinna</translation>
+    </message>
+    <message>
+        <source>spin random</source>
+        <translation>snurra slump slumpmässig skaka skakig vrida</translation>
+    </message>
+    <message>
+        <source>weight heavy light</source>
+        <translation>vikt tung tyngre lätt lättare tyngd</translation>
+    </message>
+    <message>
+        <source>detail layers fractal levels fine</source>
+        <translation>detaljer lager fraktal nivåer fin finare</translation>
+    </message>
+    <message>
+        <source>sharp crisp contrast hard soft</source>
+        <translation>skarp skarpare kontrast hård hårdare mjuk mjukare tydlig</translation>
+    </message>
+    <message>
+        <source>frequency scale size coarse fine</source>
+        <translation>frekvens skala storlek grov grövre fin finare</translation>
+    </message>
+    <message>
+        <source>gain amplitude roughness detail</source>
+        <translation>förstärkning amplitud skrovlighet detaljer grov styrka</translation>
+    </message>
+    <message>
+        <source>threshold amount fill bias</source>
+        <translation>tröskel gränsvärde fylla fyllning mängd förskjutning</translation>
+    </message>
+    <message>
+        <source>distort bend domain swirl</source>
+        <translation>förvränga förvrida böja vrida domän virvel skev</translation>
+    </message>
+    <message>
+        <source>blur soft</source>
+        <translation>oskärpa suddig mjuk mjukare jämn jämna slät</translation>
+    </message>
+    <message>
+        <source>type perlin simplex value</source>
+        <translation>typ sort perlin simplex värde brustyp</translation>
+    </message>
+    <message>
+        <source>smooth linear cosine cubic</source>
+        <translation>jämn mjuk utjämning linjär cosinus kosinus kubisk</translation>
+    </message>
+    <message>
+        <source>frequency detail</source>
+        <translation>frekvens detaljer finhet luckor oktaver</translation>
+    </message>
+    <message>
+        <source>boil evolve third</source>
+        <translation>sjuda koka utvecklas utveckling tredje axel</translation>
+    </message>
+    <message>
+        <source>layers quality</source>
+        <translation>lager kvalitet skivor antal</translation>
+    </message>
+    <message>
+        <source>size pixels quality detail</source>
+        <translation>storlek pixlar pixel bildpunkter kvalitet detaljer</translation>
+    </message>
+    <message>
+        <source>resolution size pixels wide</source>
+        <translation>upplösning storlek pixlar pixel bildpunkter bredare</translation>
+    </message>
+    <message>
+        <source>resolution size pixels tall high</source>
+        <translation>upplösning storlek pixlar pixel bildpunkter hög högre</translation>
+    </message>
+    <message>
+        <source>draft final preview particles</source>
+        <translation>utkast slutlig förhandsvisning partiklar grov fin snabb</translation>
+    </message>
+    <message>
+        <source>antialias anti-aliasing smooth aa</source>
+        <translation>kantutjämning utjämning jämn mjuk taggig aa</translation>
+    </message>
+    <message>
+        <source>bright dark brightness gamma light dim flash</source>
+        <translation>ljus ljusare mörk mörkare ljusstyrka gamma dämpa blixt</translation>
+    </message>
+    <message>
+        <source>tone mapping filmic color management gamma</source>
+        <translation>tonmappning film filmisk färghantering gamma tonkurva</translation>
+    </message>
+    <message>
+        <source>transparent alpha backdrop</source>
+        <translation>genomskinlig transparent alfa fond kuliss</translation>
+    </message>
+    <message>
+        <source>color backdrop behind</source>
+        <translation>färg fond bakom kulör kuliss</translation>
+    </message>
+    <message>
+        <source>mushroom billow puff roll vortex</source>
+        <translation>svamp bolma puff rulla virvel virvelring ring</translation>
+    </message>
+    <message>
+        <source>rise velocity</source>
+        <translation>stiga stiger hastighet fart uppåt lyfta</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>storlek stor större liten mindre diameter</translation>
+    </message>
+    <message>
+        <source>grow expand widening</source>
+        <translation>växa växer expandera vidga utvidga bredare</translation>
+    </message>
+    <message>
+        <source>distance puffs rate</source>
+        <translation>distans puffar takt mellanrum tätt glest</translation>
+    </message>
+    <message>
+        <source>repeat trail followers</source>
+        <translation>upprepa spår svans efterföljare följa</translation>
+    </message>
+    <message>
+        <source>random irregular variance</source>
+        <translation>slump slumpmässig oregelbunden ojämn olika</translation>
+    </message>
+    <message>
+        <source>heat push drive passive emits heats influence follows</source>
+        <translation>värme värma värmer trycka knuffa passiv påverka följer mata driva</translation>
+    </message>
+    <message>
+        <source>irregular noise source asymmetry breathe flicker raggedness</source>
+        <translation>oregelbunden brus källa asymmetri asymmetrisk andas flämta fladdra trasig fransig</translation>
+    </message>
+    <message>
+        <source>billows cauliflower hot spots noise source asymmetry heterogeneous bald uneven heat</source>
+        <translation>bolma bolmar blomkål heta fläckar brus källa asymmetri kal hetta varm</translation>
+    </message>
+    <message>
+        <source>explosion blast pressure burst divergence big</source>
+        <translation>explosion sprängning tryckvåg tryck smäll puff divergens expansion svälla stor större utvidga</translation>
+    </message>
+    <message>
+        <source>puff pulse breathe flicker lull rhythm uneven speed burst pump throb</source>
+        <translation>puff puls pulsera andas fladdra flämta vila rytm ojämn fart utbrott pumpa dunka</translation>
+    </message>
+    <message>
+        <source>puff pulse frequency flicker rhythm puffing</source>
+        <translation>puff puls pulsera frekvens fladdra flämta rytm tempo</translation>
+    </message>
+    <message>
+        <source>duration frames end time long short</source>
+        <translation>varaktighet bildrutor slut tid lång längre kort kortare</translation>
+    </message>
+    <message>
+        <source>loop seamless repeat cycle tile endless forever</source>
+        <translation>loop loopa upprepa cykel kakel oändlig evig skarvlös</translation>
+    </message>
+    <message>
+        <source>preroll pre-roll warmup start warm</source>
+        <translation>förvärma förvärmd uppvärmning start inkörning</translation>
+    </message>
+    <message>
+        <source>fps speed fast slow playback</source>
+        <translation>fps fart hastighet snabb snabbare långsam långsammare uppspelning bildrutor</translation>
+    </message>
+    <message>
+        <source>substeps quality accuracy steps frame</source>
+        <translation>delsteg kvalitet noggrannhet precision tidssteg</translation>
+    </message>
+    <message>
+        <source>swirl chaos wild wavy turbulent messy calm curl noise rough smooth</source>
+        <translation>virvel virvlar kaos vild vildare vågig turbulent rörig lugn lugnare brus orolig ojämn slät</translation>
+    </message>
+    <message>
+        <source>swirl size eddies big small coarse fine</source>
+        <translation>virvel virvlar storlek stor större liten mindre grov grövre fin finare</translation>
+    </message>
+    <message>
+        <source>detail layers swirl fine</source>
+        <translation>detaljer lager virvel virvlar fin finare</translation>
+    </message>
+    <message>
+        <source>detail gain persistence</source>
+        <translation>detaljer förstärkning persistens grov grövre sträv ojämn</translation>
+    </message>
+    <message>
+        <source>speed change animate fast slow</source>
+        <translation>fart hastighet förändring ändra animera snabb snabbare långsam långsammare utvecklas</translation>
+    </message>
+    <message>
+        <source>delay start calm onset</source>
+        <translation>fördröjning start börja lugn intoning tid</translation>
+    </message>
+    <message>
+        <source>height taller high bigger larger</source>
+        <translation>växa växer högre större stor bredare</translation>
+    </message>
+    <message>
+        <source>rise move speed</source>
+        <translation>stiga flytta fart hastighet uppåt driva</translation>
+    </message>
+    <message>
+        <source>wavelet turbulence noise subgrid sub-grid small swirls</source>
+        <translation>wavelet turbulens brus små virvlar virvel rutnät</translation>
+    </message>
+    <message>
+        <source>tornado swirl twist spin whirl</source>
+        <translation>tornado tromb virvel virvla snurra vrida tvinna rotera</translation>
+    </message>
+    <message>
+        <source>tornado width size</source>
+        <translation>tornado tromb bredd storlek bred smal diameter</translation>
+    </message>
+    <message>
+        <source>tornado funnel cone grow expand widening</source>
+        <translation>tornado tromb tratt kon växa expandera vidga bredare</translation>
+    </message>
+    <message>
+        <source>tornado direction</source>
+        <translation>tornado tromb riktning håll lutning</translation>
+    </message>
+    <message>
+        <source>blow breeze force air sideways drift lean fast strong</source>
+        <translation>vind blåsa bris blåst kraft luft sidled driva luta snabb stark starkare storm</translation>
+    </message>
+    <message>
+        <source>direction blow heading</source>
+        <translation>vind riktning vindriktning blåsa kurs håll vinkel</translation>
+    </message>
+    <message>
+        <source>wind wander random breeze</source>
+        <translation>vind vandra slump slumpmässig bris vindby kastvind</translation>
+    </message>
+    <message>
+        <source>wind frequency</source>
+        <translation>vind frekvens byar takt ofta</translation>
     </message>
 </context>
 <context>

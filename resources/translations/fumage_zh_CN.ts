@@ -5512,7 +5512,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
     <message>
         <source>Gives swirls back what the grid takes from them, and no more than that. It makes billows crisp.</source>
-        <translation>把网格从漩涡中夺走的还给它们。少量使烟团清晰；大量使它们沸腾。</translation>
+        <translation>把网格从漩涡中夺走的还给它们，不会更多。使烟团清晰。</translation>
     </message>
     <message>
         <source>Steinhoff and Underhill 1994</source>
@@ -5949,6 +5949,698 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Stam 1995, multiple scattering as a diffusion process</source>
         <translation>Stam 1995，作为扩散过程的多重散射</translation>
+    </message>
+    <message>
+        <source>fluid solver simulation flow grid fire real realistic billow roll mushroom moving air</source>
+        <translation>流体 模拟 解算 仿真 流场 网格 火 真实 写实 翻滚 翻卷 蘑菇 空气</translation>
+    </message>
+    <message>
+        <source>grid cells voxels divisions quality detail</source>
+        <translation>网格 单元 格子 体素 精度 质量 细节 划分 精细</translation>
+    </message>
+    <message>
+        <source>auto automatic domain bounds box size</source>
+        <translation>自动 自适应 域 边界 范围 盒子 包围盒 大小 匹配</translation>
+    </message>
+    <message>
+        <source>domain bounds box width height depth</source>
+        <translation>域 边界 盒子 范围 宽度 高度 深度 尺寸</translation>
+    </message>
+    <message>
+        <source>domain position move box centre center</source>
+        <translation>域 位置 移动 盒子 中心 位移 平移</translation>
+    </message>
+    <message>
+        <source>rise lift tall high fast heat hot up float climb</source>
+        <translation>上升 升起 抬升 高 快 热 热量 向上 漂浮 上浮 升力 飘</translation>
+    </message>
+    <message>
+        <source>heat cold temperature short low</source>
+        <translation>降温 热量 冷 变冷 散热 温度 凉 矮 低 短</translation>
+    </message>
+    <message>
+        <source>wind speed slow blow</source>
+        <translation>风 风速 速度 慢 吹 阻力 减速</translation>
+    </message>
+    <message>
+        <source>confinement swirl curl turbulence detail curly vorticity</source>
+        <translation>漩涡 旋涡 涡旋 约束 卷曲 旋转 湍流 细节 打旋</translation>
+    </message>
+    <message>
+        <source>disturbance shredding force noise stir chaos break up spread billow rough wild</source>
+        <translation>扰动 撕裂 紊流 力 噪声 搅动 混乱 打散 散开 扩散 翻滚 粗糙 狂乱 乱流</translation>
+    </message>
+    <message>
+        <source>disturbance eddy swirl scale wavelength</source>
+        <translation>扰动 漩涡 旋涡 尺度 大小 波长 尺寸 涡流</translation>
+    </message>
+    <message>
+        <source>floor collision plane</source>
+        <translation>地板 碰撞 平面 底面 地表</translation>
+    </message>
+    <message>
+        <source>floor level altitude</source>
+        <translation>高度 地板 海拔 水平面 标高</translation>
+    </message>
+    <message>
+        <source>drag rough floor wall slip</source>
+        <translation>阻力 粗糙 地板 墙 滑动 打滑 光滑 减速</translation>
+    </message>
+    <message>
+        <source>collision collider body wall ceiling</source>
+        <translation>碰撞 碰撞体 物体 墙 天花板 阻挡 挡板 方块 球</translation>
+    </message>
+    <message>
+        <source>collision place centre center obstacle</source>
+        <translation>位置 碰撞 地点 中心 移动 坐标 放置</translation>
+    </message>
+    <message>
+        <source>collision width height depth diameter</source>
+        <translation>大小 碰撞 宽度 高度 深度 直径 尺寸</translation>
+    </message>
+    <message>
+        <source>orbit fixed free</source>
+        <translation>环绕 固定 自由 轨道 绕行 摄像机</translation>
+    </message>
+    <message>
+        <source>turn orbit rotate angle azimuth heading</source>
+        <translation>旋转 转动 环绕 角度 方位角 朝向 水平角 左右</translation>
+    </message>
+    <message>
+        <source>tilt elevation angle above below</source>
+        <translation>倾斜 仰角 高度角 角度 俯视 仰视 上方 下方</translation>
+    </message>
+    <message>
+        <source>zoom near far close dolly range</source>
+        <translation>缩放 近 远 拉近 推近 拉远 推拉 变焦 远近</translation>
+    </message>
+    <message>
+        <source>look at pivot focus center</source>
+        <translation>注视 看向 枢轴 焦点 中心 对准 观察点</translation>
+    </message>
+    <message>
+        <source>turn spin rotate orbit</source>
+        <translation>旋转 自转 转动 环绕 转盘 绕圈</translation>
+    </message>
+    <message>
+        <source>place location move eye</source>
+        <translation>地点 坐标 移动 视点 机位 放置</translation>
+    </message>
+    <message>
+        <source>look direction aim</source>
+        <translation>方向 看向 朝向 瞄准 注视 观看</translation>
+    </message>
+    <message>
+        <source>zoom lens wide field of view fov</source>
+        <translation>变焦 镜头 广角 视野 视场角 视角 缩放 长焦 fov</translation>
+    </message>
+    <message>
+        <source>life duration lifespan age seconds long longer short shorter live last persist linger die</source>
+        <translation>生命 时长 持续 年龄 秒 长 更长 短 更短 存活 久 停留 死亡 消失</translation>
+    </message>
+    <message>
+        <source>thick dense more number amount quantity density rate spawn</source>
+        <translation>浓 数量 密集 更多 个数 密度 浓密 厚 稠密 多 少 生成</translation>
+    </message>
+    <message>
+        <source>birth spawn amount share on off fire lit goes out swell ignite extinguish</source>
+        <translation>诞生 出生 生成 份额 数量 开关 开 关 火 点火 点燃 熄灭 增强</translation>
+    </message>
+    <message>
+        <source>source form disc disk sphere rectangle picture image logo text mask</source>
+        <translation>源 外形 圆盘 球 球体 矩形 图片 图像 标志 徽标 文字 遮罩</translation>
+    </message>
+    <message>
+        <source>source wide narrow size diameter width</source>
+        <translation>源 宽 窄 大小 直径 宽度 粗 细 尺寸</translation>
+    </message>
+    <message>
+        <source>source size wide narrow</source>
+        <translation>源 大小 尺寸 窄 粗细</translation>
+    </message>
+    <message>
+        <source>size source length</source>
+        <translation>大小 源 长度 尺寸 纵深</translation>
+    </message>
+    <message>
+        <source>image logo text mask texture map bright pixels png file</source>
+        <translation>图像 标志 徽标 文字 遮罩 纹理 贴图 亮 像素 png 文件 照片</translation>
+    </message>
+    <message>
+        <source>direction aim up orientation</source>
+        <translation>方向 朝向 瞄准 向上 指向 取向</translation>
+    </message>
+    <message>
+        <source>place location source move origin path carry swing</source>
+        <translation>地点 坐标 源 移动 原点 路径 轨迹 携带 挥动 摆动</translation>
+    </message>
+    <message>
+        <source>velocity fast slow initial jet throw strong weak</source>
+        <translation>快 慢 初速度 射流 喷射 抛出 强 弱 速率</translation>
+    </message>
+    <message>
+        <source>random chaos jitter irregular uneven wild velocity randomness</source>
+        <translation>随机 混乱 抖动 不规则 不均匀 狂乱 变化 差异 速率</translation>
+    </message>
+    <message>
+        <source>wide narrow cone angle nozzle fan direction focused spread</source>
+        <translation>宽 窄 圆锥 锥角 角度 喷嘴 扇形 方向 集中 聚焦 散开</translation>
+    </message>
+    <message>
+        <source>parent trail born on sub emitter take along throw</source>
+        <translation>父级 父粒子 拖尾 尾迹 诞生 子发射器 带走 速度 抛出 跟随</translation>
+    </message>
+    <message>
+        <source>birth death dies end burst on death sub emitter age firework event</source>
+        <translation>出生 诞生 死亡 消亡 结束 爆裂 爆发 子发射器 年龄 烟花 事件 起点</translation>
+    </message>
+    <message>
+        <source>birth death dies end burst on birth sub emitter age firework event</source>
+        <translation>出生 诞生 死亡 消亡 结束 爆裂 爆发 子发射器 年龄 烟花 事件 终点</translation>
+    </message>
+    <message>
+        <source>burst explosion puff continuous once</source>
+        <translation>爆发 爆炸 一阵 喷发 持续 连续 一次 单次</translation>
+    </message>
+    <message>
+        <source>burst explosion puff time</source>
+        <translation>爆炸 一阵 喷发 时间 时长 持续时间 长度</translation>
+    </message>
+    <message>
+        <source>delay begin time offset late when</source>
+        <translation>延迟 起始 时间 偏移 晚 推迟 何时 启动 延后</translation>
+    </message>
+    <message>
+        <source>end stop emit time</source>
+        <translation>结束 停止 发射 时间 时长 持续 终止</translation>
+    </message>
+    <message>
+        <source>smooth stream stripes bands birth between steps</source>
+        <translation>平滑 连续 流 条纹 条带 出生 诞生 步间 子帧</translation>
+    </message>
+    <message>
+        <source>random different another</source>
+        <translation>随机 不同 另一个 换一个 变化 随机数</translation>
+    </message>
+    <message>
+        <source>flame fire glow burn heat hot incandescent emission flash</source>
+        <translation>火 发光 辉光 燃烧 热 炽热 白炽 亮度 亮 自发光 闪光 火光</translation>
+    </message>
+    <message>
+        <source>fade glow flame fire smoky soot</source>
+        <translation>冷却 消退 减弱 火焰 火 黑烟 烟炱 煤烟 降温</translation>
+    </message>
+    <message>
+        <source>center inside white hot fire flame</source>
+        <translation>内核 核心 中心 内部 白 白热 热 火 火焰</translation>
+    </message>
+    <message>
+        <source>clear transparent soot additive fire</source>
+        <translation>清澈 透明 不透明 烟炱 煤烟 叠加 通透 浓 火</translation>
+    </message>
+    <message>
+        <source>flame glow bounce illuminate indirect lit light fire</source>
+        <translation>火焰 辉光 反弹 照亮 照明 间接光 打光 光 映照 火</translation>
+    </message>
+    <message>
+        <source>blackbody color fire flame emission from</source>
+        <translation>黑体 颜色 火焰 火 辐射 来源 色彩 自发光 色温</translation>
+    </message>
+    <message>
+        <source>heat kelvin hot cold fire blackbody red blue</source>
+        <translation>热量 开尔文 热 冷 色温 火 火焰 黑体 红 蓝</translation>
+    </message>
+    <message>
+        <source>color colors fire flame ramp gradient green blue magic</source>
+        <translation>颜色 色彩 火焰 火 渐变 色带 绿 蓝 魔法</translation>
+    </message>
+    <message>
+        <source>fade vanish disappear dissolve fast slow lifetime life duration age lifespan out die</source>
+        <translation>消失 消散 渐隐 褪去 溶解 快 慢 寿命 生命 时长 年龄 死亡 衰减 速率</translation>
+    </message>
+    <message>
+        <source>transparent transparency opacity density start</source>
+        <translation>透明 透明度 不透明度 浓度 密度 开始 起始</translation>
+    </message>
+    <message>
+        <source>life duration random variation lifespan lifetime variance</source>
+        <translation>生命 随机 变化 差异 时长 年龄 方差 不同</translation>
+    </message>
+    <message>
+        <source>grow shrink scale expansion curve</source>
+        <translation>大小 增长 变大 长大 缩小 变小 缩放 膨胀 曲线 寿命</translation>
+    </message>
+    <message>
+        <source>fade in transparent transparency opacity curve</source>
+        <translation>淡入 透明度 透明 不透明度 曲线 渐显 浓度 寿命</translation>
+    </message>
+    <message>
+        <source>sun angle lamp lighting</source>
+        <translation>太阳 阳光 角度 灯 灯光 照明 光照 朝向</translation>
+    </message>
+    <message>
+        <source>bright dark brightness sun strength dim light intensity flash lightning strobe</source>
+        <translation>亮 明亮 暗 亮度 太阳 阳光 昏暗 光 闪光 闪电 频闪</translation>
+    </message>
+    <message>
+        <source>dark self-shadow shade black absorption thick contrast</source>
+        <translation>暗 黑 自阴影 影子 变暗 吸收 厚 浓 对比度</translation>
+    </message>
+    <message>
+        <source>bright translucent soft milky white</source>
+        <translation>半透明 亮 柔和 乳白 白 透光 通透</translation>
+    </message>
+    <message>
+        <source>diffuse diffusion white cloud steam snow bounce fill soft bright translucent subsurface black</source>
+        <translation>散射 漫射 扩散 白 云 蒸汽 雪 反弹 补光 柔和 亮 半透明 次表面 黑</translation>
+    </message>
+    <message>
+        <source>forward back rim silver lining phase anisotropy</source>
+        <translation>前向 后向 边缘光 轮廓光 银边 相位 逆光 散射 背光</translation>
+    </message>
+    <message>
+        <source>fill sky brightness bright dark dim</source>
+        <translation>补光 天光 天空 亮度 亮 暗 昏暗 填充光</translation>
+    </message>
+    <message>
+        <source>color sun tint warm cold</source>
+        <translation>太阳 阳光 色调 色彩 染色 暖 冷</translation>
+    </message>
+    <message>
+        <source>color ambient blue above</source>
+        <translation>颜色 环境光 蓝 上方 天光 蓝天</translation>
+    </message>
+    <message>
+        <source>color ambient bounce below floor</source>
+        <translation>颜色 环境光 反弹 反射 下方 地板</translation>
+    </message>
+    <message>
+        <source>ao ambient dark shade</source>
+        <translation>ao 环境光 暗 阴影 遮挡 闭塞 变暗</translation>
+    </message>
+    <message>
+        <source>quality detail shadow grid voxels</source>
+        <translation>质量 细节 阴影 网格 体素 精度 精细</translation>
+    </message>
+    <message>
+        <source>thick transparent thin dense mist fog haze density transparency thickness heavy faint alpha solid see-through</source>
+        <translation>浓 透明 稀薄 薄 厚 雾 薄雾 霾 浓度 密度 透明度 浓重 淡 实心</translation>
+    </message>
+    <message>
+        <source>big small large scale particle puff diameter tiny huge fat soft thick</source>
+        <translation>大 小 尺寸 缩放 粒子 烟团 直径 微小 巨大 胖 柔和 厚</translation>
+    </message>
+    <message>
+        <source>color tint white black dark bright light albedo gray grey dirty</source>
+        <translation>色调 染色 白 黑 暗 深 亮 浅 反照率 灰 脏 色彩</translation>
+    </message>
+    <message>
+        <source>color gradient tint ramp age</source>
+        <translation>颜色 渐变 色调 染色 色带 年龄 变色 色彩 寿命</translation>
+    </message>
+    <message>
+        <source>sharp crisp cauliflower billow noise displacement upres wavelet advected texture focus folds</source>
+        <translation>锐利 清晰 花椰菜 菜花 翻卷 噪声 噪波 置换 升频 小波 纹理 聚焦 褶皱</translation>
+    </message>
+    <message>
+        <source>scale wavelength billow noise frequency largest</source>
+        <translation>尺寸 大小 缩放 波长 翻卷 噪声 频率 最大 尺度</translation>
+    </message>
+    <message>
+        <source>regenerate advect dissolve hair boil time</source>
+        <translation>寿命 再生 更新 平流 溶解 发丝 头发 沸腾 翻腾 时间</translation>
+    </message>
+    <message>
+        <source>bump normal surface light plastic</source>
+        <translation>浮雕 凹凸 法线 表面 光 塑料 立体 凸起</translation>
+    </message>
+    <message>
+        <source>thin wisps rim haze veil feather soft</source>
+        <translation>细节 薄 稀薄 丝缕 轮廓 薄雾 薄纱 羽化 柔和</translation>
+    </message>
+    <message>
+        <source>folds clefts depth occlusion self-shadow</source>
+        <translation>阴影 褶皱 缝隙 裂缝 深度 遮蔽 自阴影 凹陷</translation>
+    </message>
+    <message>
+        <source>detail noise holes transparent grain texture</source>
+        <translation>细节 噪声 噪波 孔洞 洞 透明 颗粒 质感 贴图</translation>
+    </message>
+    <message>
+        <source>dissolve holes wispy ragged torn break up</source>
+        <translation>溶解 消融 孔洞 洞 丝缕 破碎 破烂 撕裂 散开 腐蚀</translation>
+    </message>
+    <message>
+        <source>dissolve holes edge</source>
+        <translation>溶解 柔和 孔洞 洞 边缘 过渡 羽化</translation>
+    </message>
+    <message>
+        <source>soft hard edge crisp sharp blur feather rim smooth mist</source>
+        <translation>柔和 软 柔软 硬 边缘 清晰 锐利 模糊 羽化 轮廓 平滑 薄雾</translation>
+    </message>
+    <message>
+        <source>bump normal depth volume plastic</source>
+        <translation>凹凸 法线 深度 体积 立体 塑料 凸起</translation>
+    </message>
+    <message>
+        <source>ball round volume puffy fluffy shading</source>
+        <translation>球 圆 圆润 球形 体积 蓬松 松软 明暗 着色</translation>
+    </message>
+    <message>
+        <source>random size variation variance</source>
+        <translation>随机 变化 差异 不同 尺寸 方差</translation>
+    </message>
+    <message>
+        <source>thin mist expand density mass haze dilution</source>
+        <translation>稀薄 变薄 变淡 薄雾 扩散 膨胀 密度 浓度 质量 衰减 雾</translation>
+    </message>
+    <message>
+        <source>dots grain lone haze merge blend grow neighbours smooth mist fog</source>
+        <translation>斑点 点 颗粒 孤立 薄雾 合并 融合 混合 变大 相邻 平滑 雾</translation>
+    </message>
+    <message>
+        <source>soft particles depth fade floor foot cut intersection contact</source>
+        <translation>软粒子 柔和粒子 深度 淡出 地板 底部 切口 穿插 交线 接触</translation>
+    </message>
+    <message>
+        <source>noise zoom tiling detail</source>
+        <translation>比例 噪声 缩放 平铺 重复 细节 大小</translation>
+    </message>
+    <message>
+        <source>boil animate evolve noise speed</source>
+        <translation>沸腾 翻腾 动画 演变 演化 噪声 速度 变化</translation>
+    </message>
+    <message>
+        <source>rotate angle random rotation variance</source>
+        <translation>角度 转动 随机 变化 差异 朝向</translation>
+    </message>
+    <message>
+        <source>rotate rotation turn fast</source>
+        <translation>旋转 转动 转 快 打转 转速</translation>
+    </message>
+    <message>
+        <source>rotate random rotation spin variance</source>
+        <translation>旋转 转动 随机 变化 差异 转速</translation>
+    </message>
+    <message>
+        <source>rotate swirl billow</source>
+        <translation>旋转 滚动 漩涡 旋涡 翻卷 转动</translation>
+    </message>
+    <message>
+        <source>ellipse anisotropic sheet curl strand flatten shear</source>
+        <translation>椭圆 变形 各向异性 薄片 卷曲 丝缕 压扁 剪切 拉伸 扭曲</translation>
+    </message>
+    <message>
+        <source>relax relaxation round memory</source>
+        <translation>时间 松弛 恢复 复原 圆 变圆 记忆 变形</translation>
+    </message>
+    <message>
+        <source>ellipse longest thinnest aspect ratio hair</source>
+        <translation>极限 椭圆 最长 最细 长宽比 上限 发丝 变形</translation>
+    </message>
+    <message>
+        <source>streak motion blur velocity long</source>
+        <translation>条纹 拖影 运动模糊 速度 长 拉长 拖尾</translation>
+    </message>
+    <message>
+        <source>flame fire hot transparent burn opacity heat</source>
+        <translation>不透明度 热量 火焰 火 热 透明 燃烧 高温</translation>
+    </message>
+    <message>
+        <source>shape sprite square round mask picture image leaf debris</source>
+        <translation>形状 精灵 贴片 方形 圆形 蒙版 图片 图像 叶子 碎片 碎屑</translation>
+    </message>
+    <message>
+        <source>image leaf leaves debris sprite texture map flake petal feather png file</source>
+        <translation>图像 叶子 树叶 碎屑 碎片 精灵 纹理 贴图 雪花 花瓣 羽毛 png 文件</translation>
+    </message>
+    <message>
+        <source>advect carried dragged inertia ballistic free heavy sparks embers debris collide</source>
+        <translation>携带 平流 拖曳 惯性 弹道 自由 重 火花 余烬 碎屑 碎片 碰撞 空气</translation>
+    </message>
+    <message>
+        <source>restitution elastic rebound collision</source>
+        <translation>反弹 弹跳 回弹 恢复系数 碰撞 弹起</translation>
+    </message>
+    <message>
+        <source>slide stick roll collision ground</source>
+        <translation>摩擦 摩擦力 滑动 粘住 滚动 碰撞 地面</translation>
+    </message>
+    <message>
+        <source>fall weight down heavy sink drop light</source>
+        <translation>下落 重量 向下 重 沉 下沉 落下 坠落 轻 引力</translation>
+    </message>
+    <message>
+        <source>friction slow air resistance damping brake calm</source>
+        <translation>摩擦 慢 减速 空气阻力 阻尼 刹车 平静 缓慢</translation>
+    </message>
+    <message>
+        <source>chaos jitter random noise irregular wild messy</source>
+        <translation>混乱 抖动 随机 噪声 不规则 狂乱 杂乱 凌乱</translation>
+    </message>
+    <message>
+        <source>random hot rise heat variance</source>
+        <translation>随机 热 上升 变化 差异 不同 温度</translation>
+    </message>
+    <message>
+        <source>attract inflow narrow thin column tight pull to axis</source>
+        <translation>吸引 流入 窄 细 柱 烟柱 收紧 聚拢 拉向 轴</translation>
+    </message>
+    <message>
+        <source>spin turn swirl twist whirl</source>
+        <translation>自转 转动 漩涡 旋涡 扭转 打转 回旋</translation>
+    </message>
+    <message>
+        <source>spin random</source>
+        <translation>自转 随机 抖动 转动 晃动</translation>
+    </message>
+    <message>
+        <source>weight heavy light</source>
+        <translation>重量 重 轻 沉 分量</translation>
+    </message>
+    <message>
+        <source>detail layers fractal levels fine</source>
+        <translation>细节 层 层数 分形 级别 精细 八度 叠加</translation>
+    </message>
+    <message>
+        <source>sharp crisp contrast hard soft</source>
+        <translation>锐利 清晰 对比度 硬 柔和 软 锐化</translation>
+    </message>
+    <message>
+        <source>frequency scale size coarse fine</source>
+        <translation>频率 缩放 大小 粗 细 尺度</translation>
+    </message>
+    <message>
+        <source>gain amplitude roughness detail</source>
+        <translation>增益 振幅 粗糙度 细节 幅度</translation>
+    </message>
+    <message>
+        <source>threshold amount fill bias</source>
+        <translation>阈值 填充 多少 偏置 覆盖率 数量</translation>
+    </message>
+    <message>
+        <source>distort bend domain swirl</source>
+        <translation>变形 畸变 弯曲 域 漩涡 旋涡</translation>
+    </message>
+    <message>
+        <source>blur soft</source>
+        <translation>模糊 柔和 软 光滑 柔化</translation>
+    </message>
+    <message>
+        <source>type perlin simplex value</source>
+        <translation>类型 种类 perlin simplex 柏林噪声 单纯形 值 算法</translation>
+    </message>
+    <message>
+        <source>smooth linear cosine cubic</source>
+        <translation>平滑 线性 余弦 三次 过渡</translation>
+    </message>
+    <message>
+        <source>frequency detail</source>
+        <translation>频率 细节 倍数 空隙 精细</translation>
+    </message>
+    <message>
+        <source>boil evolve third</source>
+        <translation>沸腾 翻腾 演变 演化 第三轴</translation>
+    </message>
+    <message>
+        <source>layers quality</source>
+        <translation>层 质量 层数 片数</translation>
+    </message>
+    <message>
+        <source>size pixels quality detail</source>
+        <translation>大小 像素 质量 细节 尺寸 精度</translation>
+    </message>
+    <message>
+        <source>resolution size pixels wide</source>
+        <translation>分辨率 大小 像素 尺寸 画面</translation>
+    </message>
+    <message>
+        <source>resolution size pixels tall high</source>
+        <translation>分辨率 大小 像素 尺寸 画面 高</translation>
+    </message>
+    <message>
+        <source>draft final preview particles</source>
+        <translation>草稿 最终 预览 粒子 品质 画质</translation>
+    </message>
+    <message>
+        <source>antialias anti-aliasing smooth aa</source>
+        <translation>抗锯齿 锯齿 反走样 平滑 aa</translation>
+    </message>
+    <message>
+        <source>bright dark brightness gamma light dim flash</source>
+        <translation>亮 暗 亮度 明暗 伽马 光 昏暗 闪光</translation>
+    </message>
+    <message>
+        <source>tone mapping filmic color management gamma</source>
+        <translation>色调映射 胶片 电影感 色彩管理 伽马</translation>
+    </message>
+    <message>
+        <source>transparent alpha backdrop</source>
+        <translation>透明 透明通道 alpha 底图 衬底</translation>
+    </message>
+    <message>
+        <source>color backdrop behind</source>
+        <translation>颜色 底色 衬底 后面 色彩</translation>
+    </message>
+    <message>
+        <source>mushroom billow puff roll vortex</source>
+        <translation>蘑菇 翻卷 烟团 翻滚 涡环 漩涡 涡旋 烟圈</translation>
+    </message>
+    <message>
+        <source>rise velocity</source>
+        <translation>速度 升起 升高 向上</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>大小 尺寸 直径 大 小</translation>
+    </message>
+    <message>
+        <source>grow expand widening</source>
+        <translation>变大 扩大 变宽 扩展 增长</translation>
+    </message>
+    <message>
+        <source>distance puffs rate</source>
+        <translation>距离 间隔 烟团 频率 疏密</translation>
+    </message>
+    <message>
+        <source>repeat trail followers</source>
+        <translation>重复 拖尾 尾迹 跟随 后面</translation>
+    </message>
+    <message>
+        <source>random irregular variance</source>
+        <translation>随机 不规则 变化 方差 不同</translation>
+    </message>
+    <message>
+        <source>heat push drive passive emits heats influence follows</source>
+        <translation>加热 热 推动 被动 发射 影响 跟随 带动 空气</translation>
+    </message>
+    <message>
+        <source>irregular noise source asymmetry breathe flicker raggedness</source>
+        <translation>不规则 噪声 源 不对称 呼吸 闪烁 毛糙 起伏</translation>
+    </message>
+    <message>
+        <source>billows cauliflower hot spots noise source asymmetry heterogeneous bald uneven heat</source>
+        <translation>翻卷 菜花 花椰菜 热点 噪声 源 不对称 光秃 热量 热</translation>
+    </message>
+    <message>
+        <source>explosion blast pressure burst divergence big</source>
+        <translation>爆炸 冲击波 压力 爆发 爆裂 散度 大 扩张 炸开</translation>
+    </message>
+    <message>
+        <source>puff pulse breathe flicker lull rhythm uneven speed burst pump throb</source>
+        <translation>一阵 脉动 脉冲 呼吸 闪烁 间歇 节奏 不均匀 速度 爆发 泵 搏动 起伏 喷吐</translation>
+    </message>
+    <message>
+        <source>puff pulse frequency flicker rhythm puffing</source>
+        <translation>频率 一阵 脉动 脉冲 闪烁 节奏 节拍 速率</translation>
+    </message>
+    <message>
+        <source>duration frames end time long short</source>
+        <translation>时长 帧数 帧 结束 时间 总帧数 短</translation>
+    </message>
+    <message>
+        <source>loop seamless repeat cycle tile endless forever</source>
+        <translation>循环 重复 周期 平铺 无限 永远 首尾相接</translation>
+    </message>
+    <message>
+        <source>preroll pre-roll warmup start warm</source>
+        <translation>预运行 热身 预演 预滚 起始 开始 暖</translation>
+    </message>
+    <message>
+        <source>fps speed fast slow playback</source>
+        <translation>fps 速度 快 慢 播放 帧频 每秒</translation>
+    </message>
+    <message>
+        <source>substeps quality accuracy steps frame</source>
+        <translation>子步 质量 精度 步数 步长 帧 准确</translation>
+    </message>
+    <message>
+        <source>swirl chaos wild wavy turbulent messy calm curl noise rough smooth</source>
+        <translation>漩涡 旋涡 混乱 狂乱 波动 紊乱 杂乱 平静 卷曲 噪声 粗糙 平滑 湍流 紊流</translation>
+    </message>
+    <message>
+        <source>swirl size eddies big small coarse fine</source>
+        <translation>漩涡 旋涡 大小 涡流 大 小 粗 细 缩放</translation>
+    </message>
+    <message>
+        <source>detail layers swirl fine</source>
+        <translation>细节 层 层数 漩涡 旋涡 精细</translation>
+    </message>
+    <message>
+        <source>detail gain persistence</source>
+        <translation>细节 增益 持续度 粗 毛糙</translation>
+    </message>
+    <message>
+        <source>speed change animate fast slow</source>
+        <translation>速度 变化 动画 快 慢 演化</translation>
+    </message>
+    <message>
+        <source>delay start calm onset</source>
+        <translation>延迟 开始 平静 淡入 渐入 时间</translation>
+    </message>
+    <message>
+        <source>height taller high bigger larger</source>
+        <translation>高度 增长 变高 变大 更大 高</translation>
+    </message>
+    <message>
+        <source>rise move speed</source>
+        <translation>上升 移动 速度 飘动 飘</translation>
+    </message>
+    <message>
+        <source>wavelet turbulence noise subgrid sub-grid small swirls</source>
+        <translation>小波 湍流 噪声 子网格 小漩涡 小旋涡</translation>
+    </message>
+    <message>
+        <source>tornado swirl twist spin whirl</source>
+        <translation>龙卷风 漩涡 旋涡 涡旋 扭转 旋转 自转 打转</translation>
+    </message>
+    <message>
+        <source>tornado width size</source>
+        <translation>龙卷风 宽度 大小 尺寸 直径</translation>
+    </message>
+    <message>
+        <source>tornado funnel cone grow expand widening</source>
+        <translation>龙卷风 漏斗 锥形 变大 扩大 变宽 扩展</translation>
+    </message>
+    <message>
+        <source>tornado direction</source>
+        <translation>龙卷风 方向 朝向 轴线 轴向</translation>
+    </message>
+    <message>
+        <source>blow breeze force air sideways drift lean fast strong</source>
+        <translation>风 吹 微风 力 空气 侧向 漂移 倾斜 快 强 大风 刮风</translation>
+    </message>
+    <message>
+        <source>direction blow heading</source>
+        <translation>风 方向 吹 朝向 角度</translation>
+    </message>
+    <message>
+        <source>wind wander random breeze</source>
+        <translation>风 游移 随机 微风 变化 乱风</translation>
+    </message>
+    <message>
+        <source>wind frequency</source>
+        <translation>风 频率 速率 快慢</translation>
     </message>
 </context>
 <context>

@@ -16,12 +16,12 @@ TABLE = ROOT / "core/effect/parameters"
 
 
 def table_texts() -> list[str]:
-    """Labels, tips, sources, choices and headings of the parameters, as they stand in the source."""
+    """Labels, search words, tips, sources, choices and headings of the parameters, as they stand in the source."""
     literal = r'"(?:[^"\\]|\\.)*"'
     rows, choices, headings = [], [], []
     for file in sorted(TABLE.glob("*.h")):
         source = file.read_text()
-        rows += re.findall(rf"\.(?:label|tip|source) =\s*({literal}(?:\s+{literal})*)", source)
+        rows += re.findall(rf"\.(?:label|synonyms|tip|source) =\s*({literal}(?:\s+{literal})*)", source)
         for names in re.findall(r"string_view, \d+> k\w+\{(.*?)\};", source):
             choices += re.findall(literal, names)
         headings += re.findall(rf"kGroup<\w+>\{{[^;]*, ({literal}),\s*Scope::\w+\}};", source)

@@ -92,8 +92,8 @@ private slots:
             return text.empty() || !translator.translate("Parameters", std::string(text).c_str()).isEmpty();
         };
         for (const Parameter& parameter : parameterTable()) {
-            const bool whole = has(parameter.label) && has(parameter.tip) && has(parameter.source)
-                && has(groupLabel(parameter.group()));
+            const bool whole = has(parameter.label) && has(parameter.synonyms) && has(parameter.tip)
+                && has(parameter.source) && has(groupLabel(parameter.group()));
             QVERIFY2(whole, std::string(parameter.key).c_str());
             for (const std::string_view choice : parameter.choices) {
                 QVERIFY2(has(choice), std::string(choice).c_str());

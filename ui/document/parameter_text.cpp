@@ -130,7 +130,7 @@ SearchTexts searchTextsOf(const Parameter& parameter)
         return theirs + QLatin1Char(' ') + toQString(ours);
     };
     const std::string_view group = parameter.group();
-    return {both(labelOf(parameter), parameter.label), toQString(parameter.synonyms),
+    return {both(labelOf(parameter), parameter.label), both(translated(parameter.synonyms), parameter.synonyms),
         both(groupLabelOf(group), groupLabel(group)),
         both(translated(parameter.tip), parameter.tip) + QLatin1Char(' ') + toQString(parameter.key)};
 }
