@@ -87,6 +87,33 @@ private slots:
         QVERIFY(QFile::remove(copy));
     }
 
+    /// As at the end of a Windows session, where the program is told to quit after it has been told that it ends.
+    void theEndOfTheSessionAsksNothingAndKeepsTheWork()
+    {
+        const QString file = m_folder.filePath(u"work.json"_q);
+        QVERIFY(writePresetFile(file.toStdString(), smallPreset()).ok());
+        m_session->start({file});
+        MainWindow* window = windowOn(file);
+        QVERIFY(window != nullptr);
+        window->document().edit(knownParameter("motion.gravity"), 6.5F);
+        m_session->keepWork();
+        m_session->end();
+        bool asked = false;
+        QTimer::singleShot(0, [&asked] {
+            if (QWidget* question = QApplication::activeModalWidget()) {
+                asked = true;
+                question->close();
+            }
+        });
+        const QPointer<MainWindow> closed(window);
+        QVERIFY(window->close() && !asked);
+        QTRY_VERIFY(closed.isNull());
+        m_session.reset();
+        Recovery::Leftovers left = Recovery::find(recoveryFolder());
+        QCOMPARE(left.works.size(), std::size_t{1});
+        QCOMPARE(left.works.front().preset.scene.layers[0].motion.gravity, 6.5F);
+    }
+
 private:
     /// Another program of this kind, in the same folders.
     static void startVictim(QProcess& victim, const QMap<QString, QString>& variables)

@@ -42,6 +42,9 @@ public:
     /// program runs until then.
     /// @return whether the window closes
     [[nodiscard]] virtual bool mayClose(QWidget& window) = 0;
+    /// Whether the program ends whatever windows say: they close without a question, and unsaved work stays on the
+    /// disk.
+    [[nodiscard]] virtual bool isEnding() const = 0;
 
 protected:
     /// @param askForFile,askForChoice tests answer without a dialog

@@ -364,6 +364,11 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (m_services.isEnding()) {
+        saveLayout(*this, m_docks, m_viewActions, m_services.settings());
+        event->accept();
+        return;
+    }
     if (m_exports.isBusy()) { // an export that was asked for is about to be in the queue: only then can it be asked
                               // what becomes of it
         connect(&m_exports, &ExportController::rested, this, &QWidget::close,

@@ -98,6 +98,7 @@ void Session::leaveWork()
 
 void Session::end()
 {
+    m_isEnding = true;
     for (const QPointer<MainWindow>& window : std::as_const(m_windows)) {
         if (window && window->isVisible()) {
             window->recovery().leave();

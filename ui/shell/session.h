@@ -32,12 +32,14 @@ public:
     void addWindow() override { openWindow(); }
     void closeAll() override;
     [[nodiscard]] bool mayClose(QWidget& window) override;
+    [[nodiscard]] bool isEnding() const override { return m_isEnding; }
 
     /// The desktop's session may end, or not: unsaved work is on the disk in either case.
     void keepWork();
     /// The program is about to be ended by others: unsaved work stays on the disk for the next one.
     void leaveWork();
-    /// The program ends: windows that are still open were not closed by their user.
+    /// The program ends: windows that are still open were not closed by their user. At the end of a Windows session Qt
+    /// tells them to close only after this.
     void end();
 
 private:
@@ -49,6 +51,7 @@ private:
 
     std::shared_ptr<QEventLoopLocker> m_untilExported; ///< keeps the program alive without a window; null: nothing does
     QList<QPointer<MainWindow>> m_windows;
+    bool m_isEnding = false;
 };
 
 } // namespace fumage::ui
