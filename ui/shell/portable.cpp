@@ -7,13 +7,30 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QSettings>
+#include <QTemporaryFile>
 
 namespace fumage::ui {
 
-QString portableFolder()
+namespace {
+
+/// Whether files can be made in a folder: what it says of itself is not enough where access lists decide.
+bool takesFiles(const QString& folder)
+{
+    return QTemporaryFile(folder + QStringLiteral("/.fumage-XXXXXX")).open();
+}
+
+QString findPortableFolder()
 {
     const QFileInfo folder(QCoreApplication::applicationDirPath() + QStringLiteral("/fumage-data"));
-    return folder.isDir() ? folder.absoluteFilePath() : QString();
+    return folder.isDir() && takesFiles(folder.absoluteFilePath()) ? folder.absoluteFilePath() : QString();
+}
+
+} // namespace
+
+QString portableFolder()
+{
+    static const QString kFolder = findPortableFolder();
+    return kFolder;
 }
 
 void usePortableFolder()
