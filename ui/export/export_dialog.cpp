@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include <QComboBox>
+#include <QDir>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -274,7 +275,7 @@ void ExportDialog::followPlan()
     showRowsOf(now);
     if (m_pathIsSuggested) {
         const QSignalBlocker blocker(m_path);
-        m_path->setText(suggestedPath(now, m_document));
+        m_path->setText(QDir::toNativeSeparators(suggestedPath(now, m_document)));
     }
     addPath(now);
     m_summary->follow(now, m_document.scene(), m_solo != nullptr && m_solo->isOn());
@@ -287,14 +288,13 @@ void ExportDialog::followPlan()
 
 void ExportDialog::showRowsOf(const ExportPlan& plan)
 {
-    const bool isFlipbook = plan.kind == ExportKind::Flipbook;
     m_output->follow(plan);
     m_range->follow(plan.kind);
     m_form->setRowVisible(m_range, RangeRow::isAskedOf(plan.kind));
     static_cast<QLabel*>(m_form->labelForField(m_range))
         ->setText(plan.kind == ExportKind::Picture ? tr("Frame") : tr("Frames"));
-    m_flipbook->setVisible(isFlipbook);
-    m_preview->setVisible(isFlipbook);
+    m_flipbook->setVisible(plan.kind == ExportKind::Flipbook);
+    m_preview->setVisible(plan.kind == ExportKind::Flipbook);
     m_data->follow(plan);
     m_pictures->follow(plan);
     m_form->setRowVisible(m_pictures, isPicture(plan.kind));
@@ -351,7 +351,7 @@ void ExportDialog::setFile(const QString& path)
 {
     if (!path.isEmpty()) {
         m_pathIsSuggested = false;
-        m_path->setText(path);
+        m_path->setText(QDir::toNativeSeparators(path));
         takePath(path);
     }
 }

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 
+#include <QDir>
+
 namespace fumage::ui {
 
 namespace {
@@ -194,7 +196,9 @@ void ExportController::report(quint64 id)
     switch (one.state) {
     case ExportState::Running: emit news(tr("Exporting “%1”: %2").arg(name, one.told), 0); break;
     case ExportState::Done:
-        emit news(tr("Exported %1").arg(fromPath(firstFile(one.job->preset.scene, one.job->plan))), kShownMs);
+        emit news(
+            tr("Exported %1").arg(QDir::toNativeSeparators(fromPath(firstFile(one.job->preset.scene, one.job->plan)))),
+            kShownMs);
         break;
     case ExportState::Cancelled: emit news(tr("Export cancelled"), kShownMs); break;
     case ExportState::Failed: emit news(tr("Export failed: %1").arg(one.told), 0); break;
