@@ -110,6 +110,11 @@ Section Uninstall
     RMDir "$INSTDIR\share"
     Delete "$INSTDIR\uninstall.exe"
     RMDir "$INSTDIR"
+    ; Those of one that was installed into another folder since are its own.
+    ReadRegStr $0 HKCU "${UNINSTALL}" "InstallLocation"
+    ${If} $0 != $INSTDIR
+        Return
+    ${EndIf}
     Delete "$SMPROGRAMS\Fumage.lnk"
     !insertmacro OfferNoMore ".json" "Fumage.Preset"
     !insertmacro OfferNoMore ".png" "Fumage.Picture"

@@ -7,6 +7,7 @@ Steps: pictures   what the viewport shows of every preset has the same bits as o
        files      a preset of any letters and more than 260 of them is opened, changed and saved; a picture is opened
        export     a picture is exported by the dialog
        recover    unsaved work is there again after a kill, after the end of the session and after Ctrl-C
+       odd        where nothing can be written beside it and the user's folder has any letters, without fonts, and at 100 to 200 %
        install    the installer installs, offers its files, and takes everything away again; not while it runs, and nothing of others
 What was seen lies in WINDOWS_BUILD/seen.
 """
@@ -26,6 +27,8 @@ from PIL import Image, ImageChops, ImageStat
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WINE = ["bash", str(ROOT / "cmake/windows/wine.sh")]
 ODD = "r\u00f6k \u70df \U0001F525"
+SCREEN = (1920, 1080)  # of on_screen.sh
+FRAME = 2  # pixels: xdotool counts the border of a frame twice
 TESTS = ["document", "theme", "svg", "point_strip", "timeline", "key_graph", "marker_lane", "work_line", "viewport", "preview_renderer"]
 faults = []
 
@@ -85,6 +88,12 @@ class Editor:
             x11("key", "--clearmodifiers", name)
             time.sleep(pause)
 
+    def box(self, window=None):
+        """@return left, top, right and bottom of a window on the screen, without its frame"""
+        known = dict(line.split("=") for line in x11("getwindowgeometry", "--shell", window or self.window) if "=" in line)
+        left, top, width, height = (int(known[name]) for name in ("X", "Y", "WIDTH", "HEIGHT"))
+        return left, top, left + width, top + height
+
     def title(self):
         return subprocess.run(["xdotool", "getwindowname", self.window or "0"], capture_output=True, text=True).stdout.strip()
 
@@ -102,6 +111,7 @@ class Checks:
         self.seen = build / "seen"
         self.seen.mkdir(exist_ok=True)
         self.portable = place / ODD / "portable"
+        self.portable.mkdir(parents=True)
         subprocess.run(["unzip", "-q", str(next((build / "packages").glob("*.zip"))), "-d", str(self.portable)], check=True)
         self.folder = next(self.portable.iterdir()) if not (self.portable / "fumage.exe").exists() else self.portable
         self.data = self.folder / "fumage-data" / "fumage"
@@ -134,12 +144,13 @@ class Checks:
 
     def widgets(self):
         for name in TESTS:
-            done = subprocess.run([*WINE, str(self.build / f"tests/{name}_test.exe"), "-o", "-,txt"], capture_output=True, text=True, errors="replace",
-                                  env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
-            lines = done.stdout.replace("\r", "").split("\n")
-            totals = next((line for line in lines if line.startswith("Totals:")), "no totals")
+            said = self.place / f"{name}.txt"  # a program with windows has no standard output
+            done = subprocess.run([*WINE, str(self.build / f"tests/{name}_test.exe"), "-o", f"{in_wine(said)},txt"], capture_output=True,
+                                  env={**os.environ, "QT_QPA_PLATFORM": "offscreen"}, timeout=600)
+            lines = said.read_text(errors="replace").split("\n") if said.exists() else []
+            totals = next((line for line in lines if line.startswith("Totals:")), None)
             failed = [line for line in lines if line.startswith("FAIL")]
-            check(done.returncode == 0, f"{name}_test: {totals} {failed or ''}")
+            check(done.returncode == 0 and totals and not failed, f"{name}_test: {totals} {failed or ''}")
 
     def start(self):
         file = self.preset(self.place / "start")
@@ -154,11 +165,12 @@ class Checks:
             first = self.shot(f"start_{name}")
             editor.keys("space", pause=6)
             second = self.shot(f"start_{name}_later")
-            middle = (500, 150, 1100, 700)
+            left, top, right, bottom = editor.box()
+            middle = (left + (right - left) // 3, top + 100, left + 2 * (right - left) // 3, bottom - 200)
             spread = ImageStat.Stat(first.convert("L").crop(middle)).stddev[0]
             check(spread > 3, f"{name}: smoke is drawn (brightness varies by {spread:.1f})")
             check(differ(first.crop(middle), second.crop(middle)) > 0.05, f"{name}: the picture moves ({differ(first.crop(middle), second.crop(middle)):.2f})")
-            dark = ImageStat.Stat(first.convert("L").crop((0, 0, 1600, 60))).mean[0] < 128
+            dark = ImageStat.Stat(first.convert("L").crop((left, top, right, top + 60))).mean[0] < 128
             check(dark == (theme == 1), f"{name}: the theme is {'dark' if dark else 'light'}")
             editor.kill()
         self.settings()
@@ -180,7 +192,7 @@ class Checks:
         picture = self.place / "picture.png"
         self.cli("--quiet", "render", "thesis-2012", "-f", "20", "--size", "128", "-o", picture)
         editor = Editor(self.folder, in_wine(picture))
-        if check(editor.wait("picture"), f"a picture is opened: {editor.title()}"):
+        if check(editor.wait("Thesis 2012"), f"a picture is opened: {editor.title()}"):
             time.sleep(6)
             self.shot("files_picture")
             editor.keys("F1")
@@ -231,12 +243,67 @@ class Checks:
                 left.unlink()
 
     def end_session(self, editor):
-        subprocess.run([*WINE, "wineboot", "--end-session"], capture_output=True, timeout=120)
         try:
+            subprocess.run([*WINE, "wineboot", "--end-session"], capture_output=True, timeout=120)
             editor.process.wait(timeout=60)
         except subprocess.TimeoutExpired:
             editor.kill()
             check(False, "the end of the session ends the program")
+
+    def odd(self):
+        self.odd_folders()
+        self.odd_fonts()
+        self.odd_scales()
+
+    def odd_folders(self):
+        """The program lies where it cannot write; work is kept in the user's folder, whose name has any letters."""
+        folder = self.place / "locked"
+        shutil.copytree(self.folder, folder)
+        shutil.rmtree(folder / "fumage-data")
+        (folder / "fumage-data").symlink_to("/proc/self")  # where not even root makes a file
+        user = self.place / f"user {ODD}"
+        user.mkdir()
+        key = "HKCU\\Software\\Microsoft\\Windows\\CurrentVersion\\Explorer\\User Shell Folders"
+        for value in ("AppData", "Local AppData"):
+            subprocess.run([*WINE, "reg", "add", key, "/v", value, "/d", in_wine(user), "/f"], capture_output=True)
+        file = self.preset(self.place / "odd", "locked")
+        copies = lambda: list((user / "fumage/recovery").glob("*.json"))
+        editor = Editor(folder, in_wine(file))
+        if check(editor.wait("locked"), f"odd: where nothing can be written beside it, a window opens: {editor.title()}"):
+            editor.keys("ctrl+shift+r")
+            check(until(copies, 20), "odd: unsaved work is kept in the user's folder")
+            self.shot("odd_folders")
+        editor.kill()
+        editor = Editor(folder)
+        if check(editor.wait("locked"), "odd: and is open again after a kill"):
+            editor.keys("ctrl+s", pause=4)
+        editor.kill()
+        for value in ("AppData", "Local AppData"):
+            subprocess.run([*WINE, "reg", "delete", key, "/v", value, "/f"], capture_output=True)
+
+    def odd_fonts(self):
+        editor = Editor(self.folder, in_wine(self.preset(self.place / "odd", "fonts")), environment={"FONTCONFIG_FILE": "/dev/null"})
+        if check(editor.wait("fonts"), "odd: without fonts a window opens"):
+            self.shot("odd_fonts")
+        editor.kill()
+
+    def odd_scales(self):
+        file = self.preset(self.place / "odd", "scale")
+        for percent in (100, 150, 200):
+            for key in ("HKCU\\Control Panel\\Desktop", "HKCU\\Software\\Wine\\Fonts"):
+                subprocess.run([*WINE, "reg", "add", key, "/v", "LogPixels", "/t", "REG_DWORD", "/d", str(96 * percent // 100), "/f"], capture_output=True)
+            subprocess.run(["wineserver", "-k"], env={**os.environ, "WINEPREFIX": os.environ["FUMAGE_WINE_FOLDER"]}, capture_output=True)
+            editor = Editor(self.folder, in_wine(file))
+            if check(editor.wait("scale"), f"odd: at {percent} % a window opens"):
+                self.shot(f"odd_scale_{percent}")
+                editor.keys("ctrl+e", pause=8)
+                self.shot(f"odd_scale_{percent}_export")
+                dialogs = x11("search", "--onlyvisible", "--name", "Export")
+                if check(dialogs, f"odd: at {percent} % the export dialog opens"):
+                    left, top, right, bottom = editor.box(dialogs[0])
+                    inside = left >= 0 and top >= 0 and right <= SCREEN[0] + FRAME and bottom <= SCREEN[1] + FRAME
+                    check(inside, f"odd: at {percent} % it is on the screen: {left}, {top} to {right}, {bottom}")
+            editor.kill()
 
     def registry(self, key):
         return subprocess.run([*WINE, "reg", "query", key], capture_output=True, text=True, errors="replace").stdout
@@ -261,8 +328,15 @@ class Checks:
         subprocess.run([*WINE, str(setup), "/S", f"/D={in_wine(other)}"], timeout=300)
         ours = other / "Fumage"
         check(until((ours / "uninstall.exe").exists, 120), "in a folder of other things it gets one of its own")
+        third = self.place / "third"
+        subprocess.run([*WINE, str(setup), "/S", f"/D={in_wine(third)}"], timeout=300)
+        check(until((third / "uninstall.exe").exists, 120), "it is installed a second time, elsewhere")
         subprocess.run([*WINE, str(ours / "uninstall.exe"), "/S"], timeout=300)
         check(until(lambda: not ours.exists(), 60) and all(file.read_text() == "theirs" for file in theirs), "and they stay when it goes")
+        offered = lambda: "third" in self.registry("HKCU\\Software\\Classes\\Fumage.Preset\\shell\\open\\command")
+        check(offered(), "what the later one offers stays when the earlier goes")
+        subprocess.run([*WINE, str(third / "uninstall.exe"), "/S"], timeout=300)
+        check(until(lambda: not third.exists(), 60) and not offered(), "and goes with it")
 
     def install(self):
         setup = next((self.build / "packages").glob("*-setup.exe"))
@@ -293,7 +367,7 @@ def main():
     parser.add_argument("linux", type=pathlib.Path)
     parser.add_argument("steps", nargs="*", default=[])
     given = parser.parse_args()
-    steps = given.steps or ["pictures", "widgets", "start", "files", "export", "recover", "install"]
+    steps = given.steps or ["pictures", "widgets", "start", "files", "export", "recover", "odd", "install"]
     # Pictures that the editor writes to the user's folders lie in this one.
     with tempfile.TemporaryDirectory() as place:
         os.environ["FUMAGE_WINE_DISPLAY"] = os.environ["DISPLAY"]
