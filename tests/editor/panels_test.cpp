@@ -8,6 +8,7 @@
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
 #include "ui/shell/help.h"
+#include "ui/widgets/vertical_scroll_area.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
@@ -359,6 +360,28 @@ private slots:
         QTest::mouseDClick(label, Qt::LeftButton);
         QVERIFY(!label->property("changed").toBool());
         QCOMPARE(m_document->effect().motion.gravity, Effect().motion.gravity);
+    }
+
+    void nothingIsCutOffAtTheSideHoweverNarrowThePanel_data()
+    {
+        QTest::addColumn<double>("larger");
+        QTest::newRow("usual letters") << 1.0;
+        QTest::newRow("large letters") << 1.7;
+    }
+    void nothingIsCutOffAtTheSideHoweverNarrowThePanel()
+    {
+        QFETCH(double, larger);
+        QFont font = m_panel->font();
+        font.setPointSizeF(font.pointSizeF() * larger);
+        m_panel->setFont(font);
+        const auto* area = m_panel->findChild<VerticalScrollArea*>();
+        QTRY_VERIFY(area->minimumSizeHint().width() >= area->widget()->minimumSizeHint().width());
+        m_panel->resize(m_panel->minimumSizeHint().width(), 900);
+        const int right = area->widget()->mapTo(m_panel.get(), QPoint(area->viewport()->width(), 0)).x();
+        for (const ParameterEditor* editor : m_panel->findChildren<ParameterEditor*>()) {
+            QTRY_VERIFY2(editor->mapTo(m_panel.get(), QPoint(editor->width(), 0)).x() <= right,
+                qPrintable(editor->objectName()));
+        }
     }
 
 private:

@@ -194,7 +194,7 @@ private slots:
         QVERIFY(!showsSomething(QImage()));
     }
 
-    void picturesOfVariationsGrowWithThePanel()
+    void picturesOfVariationsAreAsLargeAsThePanelAllows()
     {
         trigger("edit.variations");
         auto* variations = m_window->findChild<VariationsPanel*>();
@@ -206,6 +206,10 @@ private slots:
         dock->resize(760, 860);
         QTRY_VERIFY(cell->iconSize().width() > before + 80);
         QVERIFY(cell->geometry().right() < variations->width());
+        // And become small again: how large they are is no reason for the panel to be so wide.
+        dock->resize(360, 860);
+        QTRY_VERIFY(dock->width() <= 400);
+        QTRY_VERIFY(cell->iconSize().width() < before + 40);
     }
 
     void variationsFollowTheSmokeWhileKeyFramesArePlayed()

@@ -5,6 +5,7 @@
 #include "ui/panels/arrange.h"
 #include "ui/panels/layer_list.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/widgets/vertical_scroll_area.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
@@ -70,7 +71,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     , m_onlyChanged(makeFilterButton(this, QStringLiteral("onlyChanged"), QStringLiteral("•")))
     , m_onlyAnimated(makeFilterButton(this, QStringLiteral("onlyAnimated"), QStringLiteral("◆")))
     , m_nothing(new QLabel(this))
-    , m_scroll(new QScrollArea(this))
+    , m_scroll(new VerticalScrollArea(this))
 {
     setObjectName(QStringLiteral("effectPanel"));
     m_search->setObjectName(QStringLiteral("parameterSearch"));
@@ -86,10 +87,6 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     m_nothing->setWordWrap(true);
     m_nothing->hide();
     m_scroll->setWidget(makeGroups(locks));
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFrameShape(QFrame::NoFrame);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

@@ -3,8 +3,6 @@
 #include "ui/document/search_index.h"
 #include "ui/panels/parameter_group.h"
 
-#include <QScrollArea>
-
 #include <vector>
 
 class QLabel;
@@ -17,6 +15,7 @@ namespace fumage::ui {
 
 class LayerList;
 class Solo;
+class VerticalScrollArea;
 
 /// All parameters of the effect, generated from the parameter table: a search field above groups that fold. On top
 /// those that an artist needs first stand once more.
@@ -66,7 +65,7 @@ private:
     QToolButton* m_onlyChanged;
     QToolButton* m_onlyAnimated;
     QLabel* m_nothing; ///< says that nothing was found
-    QScrollArea* m_scroll;
+    VerticalScrollArea* m_scroll;
     QVBoxLayout* m_list = nullptr; ///< of the groups
     std::vector<ParameterGroup*> m_groups; ///< in their usual order
     SearchIndex m_index; ///< of the rows of all groups but the first

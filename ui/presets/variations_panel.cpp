@@ -26,6 +26,8 @@ constexpr int kAttempts = 5; ///< for a cell; the last goes a 16th of the way
 constexpr int kLargestAmount = 40; ///< percent of the soft range
 constexpr int kUsualAmount = 10;
 constexpr int kColumns = 3;
+constexpr int kAround = 16; // a picture: frame and gap
+constexpr int kOther = 110; // above and below all of them
 
 } // namespace
 
@@ -108,6 +110,11 @@ void VariationsPanel::connectParts()
     connect(&m_document, &Document::loaded, this, [this] { m_lineage.clear(); });
 }
 
+QSize VariationsPanel::minimumSizeHint() const
+{
+    return {kColumns * (kMinEdge + kAround) + kAround, kColumns * (kMinEdge + kAround) + kOther};
+}
+
 void VariationsPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
@@ -117,8 +124,6 @@ void VariationsPanel::showEvent(QShowEvent* event)
 void VariationsPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    constexpr int kAround = 16; // a picture: frame and gap
-    constexpr int kOther = 110; // above and below all of them
     const int edge = std::clamp(
         std::min((width() - kAround) / kColumns, (height() - kOther) / kColumns) - kAround, kMinEdge, kLargestEdge);
     if (edge == m_edge) {

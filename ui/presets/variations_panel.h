@@ -34,6 +34,8 @@ public:
     [[nodiscard]] const Effect& effectOf(int cell) const { return m_effects[static_cast<std::size_t>(cell)]; }
 
     QSize sizeHint() const override { return {380, 460}; }
+    /// With the smallest pictures, however large they are: the panel can be made narrower again.
+    QSize minimumSizeHint() const override;
 
 protected:
     void showEvent(QShowEvent* event) override;

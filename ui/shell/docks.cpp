@@ -7,6 +7,7 @@
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/variations_panel.h"
 #include "ui/shell/history_view.h"
+#include "ui/widgets/vertical_scroll_area.h"
 
 #include "core/effect/known_parameter.h"
 
@@ -15,32 +16,19 @@
 
 #include <QMainWindow>
 #include <QMenu>
-#include <QScrollArea>
 
 namespace fumage::ui {
 
 namespace {
 
-/// Lets a panel be lower than what is in it: on a small screen it would push the window beyond the edge.
-class LowPanel : public QScrollArea {
-public:
-    explicit LowPanel(QWidget* content)
-    {
-        setObjectName(content->objectName() + QStringLiteral(".scroll"));
-        setWidget(content);
-        setWidgetResizable(true);
-        setFrameShape(QFrame::NoFrame);
-        setFocusPolicy(Qt::NoFocus);
-        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    }
-
-    QSize minimumSizeHint() const override
-    {
-        constexpr int kMin = 120;
-        return {widget()->minimumSizeHint().width(), kMin};
-    }
-    QSize sizeHint() const override { return widget()->sizeHint(); }
-};
+/// A panel that may be lower than what is in it: on a small screen it would push the window beyond the edge.
+VerticalScrollArea* lowPanel(QWidget* content)
+{
+    auto* panel = new VerticalScrollArea;
+    panel->setObjectName(content->objectName() + QStringLiteral(".scroll"));
+    panel->setWidget(content);
+    return panel;
+}
 
 void bringToFront(QDockWidget& dock)
 {
@@ -60,10 +48,10 @@ Docks::Docks(QMainWindow& window, Document& document, Locks& locks, Solo& solo, 
     , m_queuePanel(new QueuePanel(exports, askForFile))
     , m_presets(makeDock(QStringLiteral("dock.presets"), tr("Presets"), m_browser))
     , m_parameters(makeDock(QStringLiteral("dock.parameters"), tr("Parameters"), m_effectPanel))
-    , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), new LowPanel(m_noisePane)))
+    , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), lowPanel(m_noisePane)))
     , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), new HistoryView(document.undoStack())))
-    , m_variations(makeDock(
-          QStringLiteral("dock.variations"), tr("Variations"), new LowPanel(new VariationsPanel(document, locks))))
+    , m_variations(
+          makeDock(QStringLiteral("dock.variations"), tr("Variations"), lowPanel(new VariationsPanel(document, locks))))
     , m_queue(makeDock(QStringLiteral("dock.queue"), tr("Exports"), m_queuePanel))
 {
     constexpr std::array kBesideTheNoise{&knownParameter("noise.octaves"), &knownParameter("noise.sharpness")};
