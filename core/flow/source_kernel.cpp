@@ -151,17 +151,21 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
             }
             const Vec3<V> noise = rimNoise(d, source, away);
             const V cover = coverage(d, source, away, ends, noise.x);
-            if (hn::AllFalse(d, hn::Gt(cover, hn::Zero(d)))) {
+            // A cell that it does not reach stays as it is, to the sign of a zero, whatever lies beside it in a vector.
+            const auto reached = hn::Gt(cover, hn::Zero(d));
+            if (hn::AllFalse(d, reached)) {
                 continue; // most of the cells that a rim may reach it does not
             }
             const V heat = hn::Load(d, cells.heat.data() + at);
             const V given = heatAt(d, source, away, noise.z) * source.heat;
-            hn::Store(hn::Max(heat, cover * given), d, cells.heat.data() + at);
+            hn::Store(hn::IfThenElse(reached, hn::Max(heat, cover * given), heat), d, cells.heat.data() + at);
             const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
             // What comes out is as uneven as its rim, and blown along by the air that it comes into.
             const V lacking = source.speed * (1.0F + source.raggedness * noise.y) - dot(v, source.normal);
-            store(v + (lacking * cover * source.relaxation) * source.normal, cells.velocity.x, cells.velocity.y,
-                cells.velocity.z, at);
+            const Vec3<V> blown = v + (lacking * cover * source.relaxation) * source.normal;
+            store(Vec3<V>{hn::IfThenElse(reached, blown.x, v.x), hn::IfThenElse(reached, blown.y, v.y),
+                      hn::IfThenElse(reached, blown.z, v.z)},
+                cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
             const V added = cover * (source.expansion * cells.grid.cell);
             hn::Store(hn::Load(d, cells.divergence.data() + at) + added, d, cells.divergence.data() + at);
         }
