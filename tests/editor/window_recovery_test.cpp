@@ -8,6 +8,7 @@
 #include "core/effect/known_parameter.h"
 #include "core/preset/preset_file.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QProcess>
 #include <QLabel>
@@ -96,6 +97,8 @@ private slots:
         MainWindow* window = windowOn(file);
         QVERIFY(window != nullptr);
         window->document().edit(knownParameter("motion.gravity"), 6.5F);
+        auto* smokeOnly = window->findChild<QAction*>(u"view.smokeOnly"_q);
+        smokeOnly->setChecked(true);
         m_session->keepWork();
         m_session->end();
         bool asked = false;
@@ -107,6 +110,7 @@ private slots:
         });
         const QPointer<MainWindow> closed(window);
         QVERIFY(window->close() && !asked);
+        QVERIFY(!smokeOnly->isChecked()); // or the next start would have no panels
         QTRY_VERIFY(closed.isNull());
         m_session.reset();
         Recovery::Leftovers left = Recovery::find(recoveryFolder());

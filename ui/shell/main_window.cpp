@@ -364,25 +364,23 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_services.isEnding()) {
-        saveLayout(*this, m_docks, m_viewActions, m_services.settings());
-        event->accept();
-        return;
-    }
-    if (m_exports.isBusy()) { // an export that was asked for is about to be in the queue: only then can it be asked
-                              // what becomes of it
+    const bool isAsked = !m_services.isEnding();
+    if (isAsked && m_exports.isBusy()) {
+        // An export that was asked for is about to be in the queue: only then can it be asked what becomes of it.
         connect(&m_exports, &ExportController::rested, this, &QWidget::close,
             Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection | Qt::UniqueConnection));
         event->ignore();
         return;
     }
-    if (!m_files.confirmDiscard() || !m_services.mayClose(*this)) {
+    if (isAsked && (!m_files.confirmDiscard() || !m_services.mayClose(*this))) {
         event->ignore();
         return;
     }
     m_actions.get("view.smokeOnly").setChecked(false); // is not remembered
     saveLayout(*this, m_docks, m_viewActions, m_services.settings());
-    m_recovery.discard();
+    if (isAsked) {
+        m_recovery.discard();
+    }
     event->accept();
 }
 
