@@ -22,8 +22,9 @@ constexpr int kRounds = 2;
 constexpr int kMaxRounds = 4;
 /// Rounds without outliers: from where all is seen the rest is small, and the first comes as near as that is known.
 constexpr int kOutlierRounds = 3;
-/// Of the frames that give the first guess one in so many is looked at.
-constexpr int kStride = 4;
+/// Of the frames that give the first guess one in so many is looked at, where that leaves enough of them.
+constexpr std::size_t kStride = 4;
+constexpr std::size_t kMinFrames = 16;
 /// Half of what may be on the border at most.
 constexpr float kSeen = 0.5F / 255.0F;
 constexpr double kPercent = 0.01;
@@ -53,14 +54,15 @@ private:
     double m_weight = 0.0;
 };
 
-/// Looks at all frames of an effect, from a camera that comes nearer to what is wanted each time.
+/// Looks at frames of an effect, from a camera that comes nearer to what is wanted each time.
 class Fitting {
 public:
     /// @param share of the smoke that may be outside, 0 to kMaxShare
-    Fitting(const Scene& scene, const FrameRange& frames, const Task& task, double share)
+    Fitting(const Scene& scene, std::span<const int> frames, const ExportTask& task, double share)
         : m_layers(layersOf(scene))
-        , m_simulator(m_layers)
+        , m_simulator(m_layers, Simulator::kDefaultCheckpointBytes, task.shelf)
         , m_frames(frames)
+        , m_stride(std::clamp(frames.size() / kMinFrames, std::size_t{1}, kStride))
         , m_task(task)
         , m_share(share)
     {
@@ -68,8 +70,9 @@ public:
             static_cast<float>(kEdge) / static_cast<float>(std::max(scene.output.width, scene.output.height));
         m_width = std::max(1, static_cast<int>(std::lround(static_cast<float>(scene.output.width) * scale)));
         m_height = std::max(1, static_cast<int>(std::lround(static_cast<float>(scene.output.height) * scale)));
-        m_total = (frames.count() + kStride - 1) / kStride
-            + (kRounds + (m_share > 0.0 ? kOutlierRounds : 0)) * frames.count();
+        const int count = static_cast<int>(frames.size());
+        m_total = static_cast<int>((frames.size() + m_stride - 1) / m_stride)
+            + (kRounds + (m_share > 0.0 ? kOutlierRounds : 0)) * count;
     }
 
     Result<Camera> run()
@@ -87,7 +90,7 @@ public:
             }
             if (seen.isEmpty()) {
                 return Error{ErrorCode::OutOfRange,
-                    makeMessage("no visible smoke in frames %1 to %2", m_frames.first, m_frames.last), {},
+                    makeMessage("no visible smoke in frames %1 to %2", m_frames.front(), m_frames.back()), {},
                     makeMessage("Choose other frames, or make the smoke denser")};
             }
             camera = seen.camera();
@@ -119,8 +122,8 @@ private:
 
     Status guessFromParticles(Framing& guess)
     {
-        for (int index = 0; index < m_frames.count(); index += kStride) {
-            const auto frame = m_simulator.frame(m_frames.at(index), m_task);
+        for (std::size_t index = 0; index < m_frames.size(); index += m_stride) {
+            const auto frame = m_simulator.frame(m_frames[index], m_task);
             if (!frame) {
                 return frame.error();
             }
@@ -135,13 +138,13 @@ private:
         return Done{};
     }
 
-    /// Renders every frame through a camera.
+    /// Renders the frames through a camera.
     /// @param take is given the frame and its view when m_image and m_renderer have its picture
     template <class Take>
     Status lookThrough(const Camera& camera, Take take)
     {
-        for (int index = 0; index < m_frames.count(); ++index) {
-            const auto frame = m_simulator.frame(m_frames.at(index), m_task);
+        for (const int number : m_frames) {
+            const auto frame = m_simulator.frame(number, m_task);
             if (!frame) {
                 return frame.error();
             }
@@ -256,7 +259,8 @@ private:
     Appearance m_appearance;
     MiddleOfSmoke m_middle;
     Image m_image;
-    FrameRange m_frames;
+    std::span<const int> m_frames;
+    std::size_t m_stride; ///< of the frames that give the first guess
     const Task& m_task;
     double m_share;
     int m_width = 1;
@@ -268,7 +272,7 @@ private:
 
 } // namespace
 
-Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, float outliers, const Task& task)
+Result<Camera> fitCamera(const Scene& scene, std::span<const int> frames, float outliers, const ExportTask& task)
 {
     const double share = outliers > 0.0F ? std::min(kPercent * static_cast<double>(outliers), kMaxShare) : 0.0;
     return withinMemory([&] { return Fitting(scene, frames, task, share).run(); });

@@ -6,6 +6,7 @@
 #include "core/export/fit_camera.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
+#include "core/export/sheets/cell_frames.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/sheets/flipbook_files.h"
 #include "core/export/sheets/trim.h"
@@ -40,6 +41,19 @@ std::filesystem::path fileOf(const ExportPlan& plan, int frame)
     return framePath(plan.output, framesOf(plan), fileEnding(plan), frame);
 }
 
+/// The numbers of the frames that are seen in the pictures of a plan, each once. Cells of a flipbook leave frames out;
+/// which they show is not known before it has been trimmed.
+std::vector<int> framesSeenIn(const ExportPlan& plan)
+{
+    if (plan.kind != ExportKind::Flipbook || plan.flipbook.trim) {
+        return numbersOf(framesOf(plan));
+    }
+    std::vector<int> frames = framesOfCells(flipbookOf(plan));
+    std::sort(frames.begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
 /// The preset that pictures of an effect carry, as JSON.
 std::string projectOf(const Scene& scene, const ExportPlan& plan)
 {
@@ -58,7 +72,7 @@ Result<std::vector<std::byte>> noiseBytes(const Scene& scene, const ExportPlan& 
     return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
 }
 
-Result<std::vector<std::byte>> bytesOf(const Scene& scene, const ExportPlan& plan, const Task& task)
+Result<std::vector<std::byte>> bytesOf(const Scene& scene, const ExportPlan& plan, const ExportTask& task)
 {
     switch (plan.kind) {
     case ExportKind::Sequence:
@@ -79,7 +93,7 @@ Result<std::vector<std::byte>> bytesOf(const Scene& scene, const ExportPlan& pla
     return Error{ErrorCode::OutOfRange, makeMessage("this is not written as a stream"), {}, makeMessage("Name a file")};
 }
 
-Status writeOne(const Scene& scene, const ExportPlan& plan, const Task& task)
+Status writeOne(const Scene& scene, const ExportPlan& plan, const ExportTask& task)
 {
     if (Status status = makeFolderOf(plan.output); !status) {
         return status;
@@ -107,7 +121,7 @@ bool overwritesSource(const Scene& scene, const ExportPlan& plan)
         files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
 }
 
-Result<std::optional<Flipbook>> exportFlipbook(const Scene& scene, const ExportPlan& plan, const Task& task)
+Result<std::optional<Flipbook>> exportFlipbook(const Scene& scene, const ExportPlan& plan, const ExportTask& task)
 {
     Result<FlipbookOptions> options = flipbookSeenBy(scene, plan, task);
     if (!options) {
@@ -162,7 +176,7 @@ std::filesystem::path firstFile(const Scene& scene, const ExportPlan& plan)
     }
 }
 
-Result<FlipbookOptions> flipbookSeenBy(const Scene& seen, const ExportPlan& plan, const Task& task)
+Result<FlipbookOptions> flipbookSeenBy(const Scene& seen, const ExportPlan& plan, const ExportTask& task)
 {
     FlipbookOptions options = flipbookOf(plan);
     if (plan.flipbook.trim) {
@@ -199,7 +213,7 @@ Result<Output> outputFor(const Scene& scene, const ExportPlan& plan)
     return output;
 }
 
-Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const Task& task)
+Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const ExportTask& task)
 {
     Scene out = scene;
     const Result<Output> output = outputFor(scene, plan);
@@ -208,7 +222,7 @@ Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const Task
     }
     out.output = output.value();
     if (plan.fitCamera && isPicture(plan.kind)) {
-        const Result<Camera> camera = fitCamera(out, framesOf(plan), plan.outlierPercent, task);
+        const Result<Camera> camera = fitCamera(out, framesSeenIn(plan), plan.outlierPercent, task);
         if (!camera) {
             return camera.error();
         }
@@ -219,7 +233,7 @@ Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const Task
 
 namespace {
 
-Result<std::optional<Flipbook>> writeFiles(const Scene& scene, const ExportPlan& plan, const Task& task)
+Result<std::optional<Flipbook>> writeFiles(const Scene& scene, const ExportPlan& plan, const ExportTask& task)
 {
     const auto plainly = [](const Status& status) {
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
@@ -251,20 +265,22 @@ Result<std::optional<Flipbook>> writeFiles(const Scene& scene, const ExportPlan&
 
 } // namespace
 
-Result<std::optional<Flipbook>> runExport(const Scene& scene, const ExportPlan& plan, const Task& task)
+Result<std::optional<Flipbook>> runExport(const Scene& scene, const ExportPlan& plan, const ExportTask& asked)
 {
     if (overwritesSource(scene, plan)) {
         return wouldOverwrite(plan.source);
     }
     return withinMemory([&]() -> Result<std::optional<Flipbook>> {
+        const ExportTask task = withShelf(asked);
         const Result<Scene> seen = sceneSeenBy(scene, plan, task);
         return seen ? writeFiles(seen.value(), plan, task) : seen.error();
     });
 }
 
-Result<std::vector<std::byte>> exportBytes(const Scene& scene, const ExportPlan& plan, const Task& task)
+Result<std::vector<std::byte>> exportBytes(const Scene& scene, const ExportPlan& plan, const ExportTask& asked)
 {
     return withinMemory([&]() -> Result<std::vector<std::byte>> {
+        const ExportTask task = withShelf(asked);
         const Result<Scene> seen = sceneSeenBy(scene, plan, task);
         return seen ? bytesOf(seen.value(), plan, task) : seen.error();
     });

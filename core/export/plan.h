@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/task.h"
+#include "core/export/export_task.h"
 #include "core/base/result.h"
 #include "core/scene/scene.h"
 #include "core/export/export_plan.h"
@@ -30,13 +30,14 @@ namespace fumage {
 
 /// The effect as the camera of a plan sees it, which is fitted where that is asked for.
 /// @error those of fitCamera() and outputFor()
-[[nodiscard]] Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const Task& task = {});
+[[nodiscard]] Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const ExportTask& task = {});
 
 /// The flipbook of a plan with the frames that it is made of: those without smoke at the beginning and the end are left
 /// out where that is asked for.
 /// @param seen sceneSeenBy()
 /// @error those of trimmed()
-[[nodiscard]] Result<FlipbookOptions> flipbookSeenBy(const Scene& seen, const ExportPlan& plan, const Task& task = {});
+[[nodiscard]] Result<FlipbookOptions> flipbookSeenBy(
+    const Scene& seen, const ExportPlan& plan, const ExportTask& task = {});
 
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
 /// @param task hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a fit
@@ -45,11 +46,11 @@ namespace fumage {
 /// @error      WouldOverwrite where a file that the plan names is the source; those of fitCamera(), renderSequence(),
 /// renderFlipbook(), bakeNoise(), dumpSequence(), writeVolumes(), writeAir(), writeFileAtomically(), and OutOfMemory
 [[nodiscard]] Result<std::optional<Flipbook>> runExport(
-    const Scene& scene, const ExportPlan& plan, const Task& task = {});
+    const Scene& scene, const ExportPlan& plan, const ExportTask& task = {});
 
 /// The bytes of the one file of a plan, without writing it.
 /// @error OutOfRange where there are several files; those of runExport()
 [[nodiscard]] Result<std::vector<std::byte>> exportBytes(
-    const Scene& scene, const ExportPlan& plan, const Task& task = {});
+    const Scene& scene, const ExportPlan& plan, const ExportTask& task = {});
 
 } // namespace fumage

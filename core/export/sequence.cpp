@@ -41,11 +41,12 @@ Status check(const Scene& scene, const SequenceOptions& options)
 /// Frames of which the colour is written. Two are kept: one is encoded while the next is made.
 class ColourFrames {
 public:
-    ColourFrames(const Scene& scene, const SequenceOptions& options, std::vector<int> numbers)
+    ColourFrames(const Scene& scene, const SequenceOptions& options, std::vector<int> numbers,
+        const std::shared_ptr<AirCache>& shelf)
         : m_scene(scene)
         , m_options(options)
         , m_numbers(std::move(numbers))
-        , m_renderer(scene)
+        , m_renderer(scene, shelf)
     {
     }
 
@@ -71,12 +72,13 @@ private:
 /// The same for all passes, as targets.
 class PassFrames {
 public:
-    PassFrames(const Scene& scene, const SequenceOptions& options, std::vector<int> numbers)
+    PassFrames(const Scene& scene, const SequenceOptions& options, std::vector<int> numbers,
+        const std::shared_ptr<AirCache>& shelf)
         : m_scene(scene)
         , m_layers(sampledLayers(scene))
         , m_options(options)
         , m_frames{std::move(numbers)}
-        , m_neighbours(m_layers, m_frames, options.passes.has(Pass::Motion), options.frames.step)
+        , m_neighbours(m_layers, m_frames, options.passes.has(Pass::Motion), options.frames.step, shelf)
         , m_masks(scene)
     {
         m_options.passes.add(Pass::Colour);
@@ -156,6 +158,15 @@ Status encodeEach(Frames frames, const SequenceOptions& options, const std::vect
 
 } // namespace
 
+std::vector<int> numbersOf(const FrameRange& frames)
+{
+    std::vector<int> numbers;
+    for (int i = 0; i < frames.count(); ++i) {
+        numbers.push_back(frames.at(i));
+    }
+    return numbers;
+}
+
 Result<FrameRange> parseFrameRange(std::string_view text)
 {
     const Error malformed{ErrorCode::Syntax, makeMessage("invalid frame range %1", inQuotes(text)), {},
@@ -226,7 +237,7 @@ std::vector<int> numbersOf(const SequenceOptions& options)
 }
 
 Result<std::vector<std::byte>> encodeFrame(
-    const Scene& scene, int frame, const SequenceOptions& options, const Task& task)
+    const Scene& scene, int frame, const SequenceOptions& options, const ExportTask& task)
 {
     const auto encoded = [&](auto frames) -> Result<std::vector<std::byte>> {
         const Status status = frames.render(0, task);
@@ -235,8 +246,8 @@ Result<std::vector<std::byte>> encodeFrame(
     if (Status status = check(scene, options); !status) {
         return status.error();
     }
-    return hasTargets(options) ? encoded(PassFrames(scene, options, {frame}))
-                               : encoded(ColourFrames(scene, options, {frame}));
+    return hasTargets(options) ? encoded(PassFrames(scene, options, {frame}, task.shelf))
+                               : encoded(ColourFrames(scene, options, {frame}, task.shelf));
 }
 
 Status writeNumbered(
@@ -264,7 +275,7 @@ Status writeNumbered(
     return Done{};
 }
 
-Status encodeFrames(const Scene& scene, const SequenceOptions& options, const FrameSink& sink, const Task& task)
+Status encodeFrames(const Scene& scene, const SequenceOptions& options, const FrameSink& sink, const ExportTask& task)
 {
     if (Status status = check(scene, options); !status) {
         return status;
@@ -274,12 +285,12 @@ Status encodeFrames(const Scene& scene, const SequenceOptions& options, const Fr
         return Done{};
     }
     if (hasTargets(options)) {
-        return encodeEach(PassFrames(scene, options, numbers), options, numbers, sink, task);
+        return encodeEach(PassFrames(scene, options, numbers, task.shelf), options, numbers, sink, task);
     }
-    return encodeEach(ColourFrames(scene, options, numbers), options, numbers, sink, task);
+    return encodeEach(ColourFrames(scene, options, numbers, task.shelf), options, numbers, sink, task);
 }
 
-Status renderSequence(const Scene& scene, const SequenceOptions& options, const Task& task)
+Status renderSequence(const Scene& scene, const SequenceOptions& options, const ExportTask& task)
 {
     if (Status status = check(scene, options); !status) {
         return status;

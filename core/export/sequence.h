@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/task.h"
+#include "core/export/export_task.h"
 #include "core/effect/effect.h"
 #include "core/export/image_file.h"
 #include "core/rendering/passes.h"
@@ -27,6 +28,9 @@ struct FrameRange {
     [[nodiscard]] int at(int index) const { return first + index * step; }
     [[nodiscard]] bool has(int frame) const { return frame >= first && frame <= last && (frame - first) % step == 0; }
 };
+
+/// The numbers of all frames of a range. O(frames).
+[[nodiscard]] std::vector<int> numbersOf(const FrameRange& frames);
 
 /// Largest frame number that may be asked for.
 inline constexpr int kMaxFrame = 1'000'000;
@@ -87,19 +91,19 @@ struct NumberedFiles {
 /// @param options what the file holds; its range and name mean nothing here
 /// @error those of renderSequence()
 [[nodiscard]] Result<std::vector<std::byte>> encodeFrame(
-    const Scene& scene, int frame, const SequenceOptions& options, const Task& task = {});
+    const Scene& scene, int frame, const SequenceOptions& options, const ExportTask& task = {});
 
 /// Renders the frames of a range into the bytes of their files. What a frame's file holds is the same whatever else is
 /// in the range, as long as the step is. A file is encoded and taken while the next frame is simulated.
 /// @param sink its error ends the work
 /// @error those of renderSequence()
 [[nodiscard]] Status encodeFrames(
-    const Scene& scene, const SequenceOptions& options, const FrameSink& sink, const Task& task = {});
+    const Scene& scene, const SequenceOptions& options, const FrameSink& sink, const ExportTask& task = {});
 
 /// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
 /// @param task hears of ProgressPhase::Frames after each, and of what leads to them
 /// @error OutOfRange where passes are asked for that the format cannot hold; else that of the first frame that fails;
 /// files before it stay
-[[nodiscard]] Status renderSequence(const Scene& scene, const SequenceOptions& options, const Task& task = {});
+[[nodiscard]] Status renderSequence(const Scene& scene, const SequenceOptions& options, const ExportTask& task = {});
 
 } // namespace fumage

@@ -6,16 +6,16 @@
 
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 namespace fumage {
 
 /// Air that is baked, for all who simulate effects: those that differ only in what air knows nothing of, as look,
-/// light, camera or the number of particles, share one bake. Thread-safe.
+/// light, camera or the number of particles, share one bake. It is found as long as it is kept here or somebody uses
+/// it. Thread-safe.
 class AirCache {
 public:
-    /// @param most airs that are kept; each has its own budget
+    /// @param most airs that are kept though nobody uses them; each has its own budget
     explicit AirCache(std::size_t most = 1)
         : m_most(most)
     {
@@ -27,7 +27,7 @@ public:
     /// The same of one layer.
     [[nodiscard]] std::shared_ptr<BakedAir> airOf(const SampledEffect& effect) { return airOf({&effect, 1}); }
 
-    /// Lets go of all airs; those that somebody uses live on until they are done.
+    /// Forgets all airs; those that somebody uses live on until they are done.
     void clear();
 
     /// Whether the air of a scene is here and needs no more computing up to a frame.
@@ -37,10 +37,20 @@ public:
     [[nodiscard]] std::int64_t missingSteps(SampledLayers layers, int frame) const;
 
 private:
+    struct Shelved {
+        std::vector<AirPart> parts; ///< airParts()
+        std::weak_ptr<BakedAir> air;
+        std::shared_ptr<BakedAir> kept; ///< null: too many others have been asked for since
+    };
+
     std::size_t m_most;
     mutable std::mutex m_mutex;
-    std::vector<std::pair<std::vector<AirPart>, std::shared_ptr<BakedAir>>>
-        m_airs; ///< by airParts(), the one used last at the end
+    std::vector<Shelved> m_airs; ///< the one asked for last at the end
 };
+
+/// The air of a scene from a shelf.
+/// @param shelf null: one that nobody else knows of
+/// @see AirCache::airOf()
+[[nodiscard]] std::shared_ptr<BakedAir> airFor(SampledLayers layers, const std::shared_ptr<AirCache>& shelf);
 
 } // namespace fumage

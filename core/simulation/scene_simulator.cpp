@@ -76,10 +76,7 @@ SceneSimulator::SceneSimulator(
     SampledLayers layers, std::size_t checkpointBytes, const std::shared_ptr<AirCache>& shelf)
     : m_status(checkLayers(layers))
 {
-    std::shared_ptr<BakedAir> air;
-    if (m_status) {
-        air = shelf ? shelf->airOf(layers) : AirCache().airOf(layers);
-    }
+    const std::shared_ptr<BakedAir> air = m_status ? airFor(layers, shelf) : nullptr;
     for (const SampledEffect& layer : layers) {
         m_layers.emplace_back(modelOf(layers, layer, air), checkpointBytes / layers.size());
     }

@@ -8,11 +8,6 @@ namespace fumage {
 
 namespace {
 
-std::shared_ptr<BakedAir> airFor(const SampledEffect& effect, const std::shared_ptr<AirCache>& shelf)
-{
-    return shelf ? shelf->airOf(effect) : AirCache().airOf(effect);
-}
-
 /// Checkpoints a lifetime: a jump steps an eighth of a pre-roll at most once they are there.
 constexpr std::int64_t kCheckpointsALifetime = 8;
 
@@ -20,7 +15,7 @@ constexpr std::int64_t kCheckpointsALifetime = 8;
 
 Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes, const std::shared_ptr<AirCache>& shelf)
     : m_airStatus(checkAir(effect))
-    , m_model(std::make_shared<const SimulationModel>(effect, m_airStatus ? airFor(effect, shelf) : nullptr))
+    , m_model(std::make_shared<const SimulationModel>(effect, m_airStatus ? airFor({&effect, 1}, shelf) : nullptr))
     , m_checkpoints(checkpointBytes)
 {
 }

@@ -200,8 +200,8 @@ void blockedWhileExporting(benchmark::State& state)
         ExportPlan plan;
         plan.output = folder.filePath(QStringLiteral("smoke_####.png")).toStdString();
         plan.frames = {0, 10000, 1};
-        worker.start(
-            std::make_shared<ExportJob>(ExportJob{"long", {.scene = editor.window->document().scene()}, plan}));
+        worker.start(std::make_shared<ExportJob>(ExportJob{"long", {.scene = editor.window->document().scene()}, plan}),
+            editor.window->viewport().shelf());
         editor.window->player().play();
         Heartbeat heartbeat;
         Editor::waitFor(5000);

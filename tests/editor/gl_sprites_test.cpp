@@ -154,7 +154,7 @@ private slots:
         Document document;
         Solo solo(document);
         Player player;
-        Viewport viewport(document, solo, player, GlSupport::Hardware);
+        Viewport viewport(document, solo, player, std::make_shared<AirCache>(), GlSupport::Hardware);
         Preset preset = loadPreset("chimney").value().preset;
         preset.scene.layers[0].emitter.count = 8000;
         preset.scene.air.resolution = kMinAirResolution;

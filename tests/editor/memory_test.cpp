@@ -73,7 +73,7 @@ private slots:
         QSignalSpy failed(&worker, &ExportWorker::failed);
         {
             const MemoryLimit limit(kLittle);
-            worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.scene = effect}, plan}));
+            worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.scene = effect}, plan}), nullptr);
             QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, 60000);
         }
         QVERIFY2(failed[0][0].toString().contains(u"memory"_q), qPrintable(failed[0][0].toString()));
@@ -81,7 +81,7 @@ private slots:
         effect.output.width = 16;
         effect.output.height = 16;
         QSignalSpy finished(&worker, &ExportWorker::finished);
-        worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.scene = effect}, plan}));
+        worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.scene = effect}, plan}), nullptr);
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
     }
 

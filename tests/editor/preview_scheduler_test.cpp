@@ -41,7 +41,7 @@ struct Watched {
     QList<bool> waiting;
 
     explicit Watched(const Effect& effect, qint64 cacheBytes = kRoomy)
-        : feed(cacheBytes)
+        : feed(std::make_shared<AirCache>(3), cacheBytes)
     {
         QObject::connect(
             &feed, &PreviewScheduler::ready, &feed, [this](const PicturePtr& picture) { pictures += picture; });

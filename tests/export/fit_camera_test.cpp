@@ -185,6 +185,33 @@ private slots:
         QVERIFY(!runExport(effect, plan).value()->cutOff);
     }
 
+    /// Frames that no cell shows are not seen: a sheet of few cells may come nearer, and is quicker to fit.
+    void aFlipbookIsFittedToTheFramesOfItsCells()
+    {
+        const Effect effect = risingSmoke();
+        ExportPlan plan;
+        plan.kind = ExportKind::Flipbook;
+        plan.fitCamera = true;
+        plan.frames = {0, kFrames - 1, 1};
+        plan.flipbook.columns = 2;
+        plan.flipbook.rows = 1;
+        const std::array<int, 2> shown{0, kFrames / 2};
+        const Camera ofCells = fitCamera(effect, shown, 0.0F).value();
+        const Camera ofAll = fitCamera(effect, plan.frames).value();
+        QVERIFY(ofCells != ofAll);
+        QVERIFY(sceneSeenBy(effect, plan).value().camera == ofCells);
+
+        // Backwards, and the same frame again: each counts once, in their order.
+        plan.flipbook.columns = 4;
+        plan.flipbook.retime = Curve{{{0.0F, 0.5F}, {0.25F, 0.0F}, {1.0F, 0.0F}}};
+        QVERIFY(sceneSeenBy(effect, plan).value().camera == ofCells);
+
+        // Which are left by trimming is not known before.
+        plan.flipbook.retime.reset();
+        plan.flipbook.trim = true;
+        QVERIFY(sceneSeenBy(effect, plan).value().camera == ofAll);
+    }
+
     void picturesAndVideosAreFittedToTheFramesThatTheyShow()
     {
         Effect effect = risingSmoke();

@@ -219,7 +219,8 @@ private slots:
         const std::vector<int> spans = spansOf(frames);
         PassSheet sheet;
         const auto shelf = std::make_shared<AirCache>();
-        QVERIFY(renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {}, shelf).ok());
+        QVERIFY(
+            renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {{}, shelf}).ok());
         const std::vector<double> all = speeds(sheet, spans);
         constexpr std::ptrdiff_t kNeighbourhood = 5;
         std::vector<double> near(all.begin() + 1, all.begin() + 1 + kNeighbourhood);

@@ -452,6 +452,26 @@ private slots:
         QVERIFY(shelf.airOf(sampled(effect)) == nullptr);
     }
 
+    void airIsFoundWhileSomebodyUsesIt()
+    {
+        AirCache shelf(1);
+        const SampledEffect smoke = sampled(inAir());
+        Effect other = inAir();
+        other.air.buoyancy += 0.1F;
+        const SampledEffect otherSmoke = sampled(other);
+        std::shared_ptr<BakedAir> used = shelf.airOf(smoke);
+        QVERIFY(used->bake(firstAirStep({&smoke, 1})).ok());
+        const std::weak_ptr<BakedAir> second = shelf.airOf(otherSmoke);
+        QVERIFY(!second.expired()); // kept by the shelf alone
+        QVERIFY(shelf.isBaked({&smoke, 1}, 0));
+        QCOMPARE(shelf.airOf(smoke), used); // though the other has taken its place
+        QVERIFY(second.expired());
+        used.reset();
+        QVERIFY(shelf.isBaked({&smoke, 1}, 0));
+        static_cast<void>(shelf.airOf(otherSmoke));
+        QVERIFY(!shelf.isBaked({&smoke, 1}, 0));
+    }
+
     void shearMakesOfABallWhatItsClosedFormSays()
     {
         // Particles move on by y = 0: position (u dt, 0, 0) with u = 0 there. F = 1 + s e_x e_y^T, C = F F^T.

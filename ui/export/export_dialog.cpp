@@ -46,7 +46,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_range(new RangeRow(player, this))
     , m_data(new DataChoices(this))
     , m_flipbook(new FlipbookChoices(this))
-    , m_preview(new PreviewPane(this))
+    , m_preview(new PreviewPane(queue.shelf(), this))
     , m_pictures(new PictureChoices(this))
     , m_output(new OutputRows(document, locks, this))
     , m_summary(new SummaryRow(document, this))

@@ -17,9 +17,10 @@ constexpr int kMaxEnded = 100;
 
 } // namespace
 
-ExportQueue::ExportQueue(const QDir& folder, QObject* parent)
+ExportQueue::ExportQueue(const QDir& folder, std::shared_ptr<AirCache> shelf, QObject* parent)
     : QAbstractListModel(parent)
     , m_folder(folder)
+    , m_shelf(std::move(shelf))
     , m_file(folder)
     , m_starts([this] {
         return jobsThat([](const QueuedExport& one) { return one.isActive() && one.state != ExportState::Starting; });
@@ -323,7 +324,7 @@ void ExportQueue::goOn()
     const std::shared_ptr<const ExportJob> job = next->job;
     setState(static_cast<int>(next - m_exports.begin()), ExportState::Running);
     dropMarks(job->plan);
-    m_worker.start(job);
+    m_worker.start(job, m_shelf);
 }
 
 void ExportQueue::setState(int row, ExportState state, const QString& told)

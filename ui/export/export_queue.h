@@ -25,7 +25,9 @@ public:
     };
 
     /// @param folder for the list on the disk
-    explicit ExportQueue(const QDir& folder, QObject* parent = nullptr);
+    /// @param shelf  with the air of what is exported, as far as others have baked it
+    explicit ExportQueue(
+        const QDir& folder, std::shared_ptr<AirCache> shelf = std::make_shared<AirCache>(), QObject* parent = nullptr);
     ~ExportQueue() override;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -36,6 +38,7 @@ public:
     [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
     bool moveRows(const QModelIndex& source, int row, int count, const QModelIndex& target, int before) override;
 
+    [[nodiscard]] const std::shared_ptr<AirCache>& shelf() const { return m_shelf; }
     [[nodiscard]] const QueuedExport& at(int row) const { return m_exports[static_cast<std::size_t>(row)]; }
     /// @return less than 0 where it is gone
     [[nodiscard]] int rowOf(quint64 id) const;
@@ -110,6 +113,7 @@ private:
     void keep();
 
     const QDir m_folder;
+    const std::shared_ptr<AirCache> m_shelf;
     std::vector<QueuedExport> m_exports;
     quint64 m_lastId = 0;
     int m_crowdedOut = 0;

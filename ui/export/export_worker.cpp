@@ -17,7 +17,7 @@ ExportWorker::ExportWorker(QObject* parent)
 {
 }
 
-void ExportWorker::start(std::shared_ptr<const ExportJob> job)
+void ExportWorker::start(std::shared_ptr<const ExportJob> job, std::shared_ptr<AirCache> shelf)
 {
     if (isRunning()) {
         return;
@@ -25,13 +25,13 @@ void ExportWorker::start(std::shared_ptr<const ExportJob> job)
     m_job = std::move(job);
     m_timer.start();
     m_hasBegun = false;
-    const auto work = [this, job = m_job](const std::stop_token& stop) {
+    const auto work = [this, job = m_job, shelf = std::move(shelf)](const std::stop_token& stop) {
         const auto progress = [this](ProgressPhase part, int done, int total) {
             QMetaObject::invokeMethod(
                 this, [this, part, done, total] { report(part, done, total); }, Qt::QueuedConnection);
         };
         Result<std::optional<Flipbook>> result = std::optional<Flipbook>();
-        runBehindOthers([&] { result = runJob(*job, {progress, stop}); });
+        runBehindOthers([&] { result = runJob(*job, {{progress, stop}, shelf}); });
         endSoon(result);
     };
     try {

@@ -22,7 +22,8 @@ public:
     [[nodiscard]] bool isRunning() const { return m_job != nullptr; }
 
     /// Does nothing while one runs.
-    void start(std::shared_ptr<const ExportJob> job);
+    /// @param shelf see ExportTask
+    void start(std::shared_ptr<const ExportJob> job, std::shared_ptr<AirCache> shelf);
     void cancel();
 
 signals:

@@ -11,8 +11,9 @@ constexpr std::int64_t kMaxPixels = std::int64_t{1} << 23U; ///< 128 MiB of colo
 
 } // namespace
 
-PreviewJob::PreviewJob(QObject* parent)
+PreviewJob::PreviewJob(std::shared_ptr<AirCache> shelf, QObject* parent)
     : QObject(parent)
+    , m_shelf(std::move(shelf))
 {
 }
 
@@ -27,7 +28,7 @@ void PreviewJob::start(const Scene& scene, const ExportPlan& plan)
                 }
             };
             const Result<std::shared_ptr<const SheetPreview>> preview =
-                previewFlipbook(scene, plan, kMaxEdge, kMaxPixels, {progress, stop});
+                previewFlipbook(scene, plan, kMaxEdge, kMaxPixels, {{progress, stop}, m_shelf});
             if (preview) {
                 report([this, made = preview.value()] { emit ready(made); });
             } else if (preview.error().code != ErrorCode::Cancelled) {

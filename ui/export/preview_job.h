@@ -14,7 +14,8 @@ class PreviewJob : public QObject {
     Q_OBJECT
 
 public:
-    explicit PreviewJob(QObject* parent = nullptr);
+    /// @param shelf see ExportTask
+    explicit PreviewJob(std::shared_ptr<AirCache> shelf, QObject* parent = nullptr);
 
     void start(const Scene& scene, const ExportPlan& plan);
     /// Nothing more comes of what was asked for.
@@ -26,6 +27,7 @@ signals:
     void failed(const QString& message);
 
 private:
+    const std::shared_ptr<AirCache> m_shelf;
     AsyncRequest m_job;
 };
 

@@ -20,8 +20,9 @@ constexpr int kSettle = 400; ///< ms
 
 } // namespace
 
-PreviewPane::PreviewPane(QWidget* parent)
+PreviewPane::PreviewPane(std::shared_ptr<AirCache> shelf, QWidget* parent)
     : QWidget(parent)
+    , m_job(std::move(shelf))
     , m_body(new QWidget(this))
     , m_canvas(new PreviewCanvas(this))
     , m_blending(new QComboBox(this))

@@ -22,7 +22,8 @@ class PreviewPane : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PreviewPane(QWidget* parent = nullptr);
+    /// @param shelf see ExportTask
+    explicit PreviewPane(std::shared_ptr<AirCache> shelf, QWidget* parent = nullptr);
 
     /// What is to be written; renders anew where that makes another flipbook.
     void follow(const Scene& scene, const ExportPlan& plan);

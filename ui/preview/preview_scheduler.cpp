@@ -10,9 +10,10 @@ constexpr int kRestMs = 160;
 
 } // namespace
 
-PreviewScheduler::PreviewScheduler(qint64 cacheBytes, QObject* parent)
+PreviewScheduler::PreviewScheduler(std::shared_ptr<AirCache> shelf, qint64 cacheBytes, QObject* parent)
     : QObject(parent)
     , m_cache(cacheBytes)
+    , m_shelf(std::move(shelf))
     , m_worker(m_shelf)
     , m_preparer(m_shelf)
 {

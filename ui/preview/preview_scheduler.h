@@ -26,7 +26,9 @@ class PreviewScheduler : public QObject {
 public:
     static constexpr qint64 kUsualCacheBytes = 256LL * 1024 * 1024;
 
-    explicit PreviewScheduler(qint64 cacheBytes = kUsualCacheBytes, QObject* parent = nullptr);
+    /// @param shelf for the air of the effect, of its stand-in, and of the other effect
+    explicit PreviewScheduler(std::shared_ptr<AirCache> shelf = std::make_shared<AirCache>(3),
+        qint64 cacheBytes = kUsualCacheBytes, QObject* parent = nullptr);
 
     /// @param stale the first stage of the work that has to be done again
     /// @param layer of it that trails and arrows are about
@@ -124,8 +126,7 @@ private:
 
     PictureCache m_cache; ///< of this revision
     PicturePtr m_picture;
-    /// For the effect, its stand-in, and the other effect
-    std::shared_ptr<AirCache> m_shelf = std::make_shared<AirCache>(3);
+    const std::shared_ptr<AirCache> m_shelf;
     PictureWorker m_worker;
     Preparer m_preparer;
 

@@ -13,6 +13,13 @@
 
 namespace fumage::ui {
 
+namespace {
+
+/// Two windows with what stands in while theirs is baked.
+constexpr std::size_t kKeptAirs = 4;
+
+} // namespace
+
 AppServices::AppServices(AskForFile askForFile, AskForChoice askForChoice, QObject* parent)
     : QObject(parent)
     , m_allThreads(static_cast<int>(parallelThreads()))
@@ -20,7 +27,7 @@ AppServices::AppServices(AskForFile askForFile, AskForChoice askForChoice, QObje
     , m_askForChoice(std::move(askForChoice))
     , m_desktopIsDark(isDark(QApplication::palette()))
     , m_glSupport(probeOpenGl())
-    , m_exports(QDir(Settings::queueFolder()))
+    , m_exports(QDir(Settings::queueFolder()), std::make_shared<AirCache>(kKeptAirs))
 {
     // after a burst of changes: what is given back in the middle of one is asked for again at once
     constexpr int kThriftMs = 2000;

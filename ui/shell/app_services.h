@@ -27,6 +27,8 @@ public:
     [[nodiscard]] const AskForChoice& askForChoice() const { return m_askForChoice; }
 
     [[nodiscard]] ExportQueue& exports() { return m_exports; }
+    /// Of the air of what is shown and exported.
+    [[nodiscard]] const std::shared_ptr<AirCache>& shelf() const { return m_exports.shelf(); }
 
     void applyTheme(Theme theme);
     /// How many threads compute where the settings set no limit.

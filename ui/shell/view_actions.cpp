@@ -54,7 +54,7 @@ ViewActions::ViewActions(const ActionSet& actions, Document& document, Viewport&
     : m_actions(actions)
     , m_viewport(viewport)
     , m_window(window)
-    , m_fit(document)
+    , m_fit(document, viewport.shelf())
 {
     m_actions.on("view.frameAll", &m_viewport, &Viewport::frameAll);
     m_actions.on("view.frameAnimation", &m_fit, [this] { m_fit.start(); });

@@ -13,8 +13,9 @@ constexpr int kShownMs = 8000;
 
 } // namespace
 
-CameraFit::CameraFit(Document& document)
+CameraFit::CameraFit(Document& document, std::shared_ptr<AirCache> shelf)
     : m_document(document)
+    , m_shelf(std::move(shelf))
     , m_job([this](const Request& request, const std::stop_token& stop) { work(request, stop); },
           [this](const Request& request, const Error& why) { report(request, [this, why] { end(why); }); })
 {
@@ -67,8 +68,8 @@ void CameraFit::work(const Request& request, const std::stop_token& stop)
                 request, [this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
         }
     };
-    const Result<Camera> camera =
-        fitCamera(request.scene, {0, request.scene.timeline.length - 1, 1}, request.outliers, {progress, stop});
+    const Result<Camera> camera = fitCamera(
+        request.scene, {0, request.scene.timeline.length - 1, 1}, request.outliers, {{progress, stop}, m_shelf});
     report(request, [this, camera] { end(camera); });
 }
 

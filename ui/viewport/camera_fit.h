@@ -4,6 +4,7 @@
 #include "ui/concurrency/latest_only_worker.h"
 
 #include "core/base/result.h"
+#include "core/export/export_task.h"
 
 namespace fumage::ui {
 
@@ -13,7 +14,8 @@ class CameraFit : public QObject {
     Q_OBJECT
 
 public:
-    explicit CameraFit(Document& document);
+    /// @param shelf see ExportTask
+    explicit CameraFit(Document& document, std::shared_ptr<AirCache> shelf = nullptr);
 
     [[nodiscard]] bool isRunning() const { return m_running; }
     /// @param outliers percent of the smoke that may be outside; see fitCamera()
@@ -39,6 +41,7 @@ private:
     void end(const Result<Camera>& camera);
 
     Document& m_document;
+    const std::shared_ptr<AirCache> m_shelf;
     bool m_running = false;
     float m_outliers = 0.0F; ///< of the newest request
     int m_number = 0; ///< of the newest request: news of others are old

@@ -14,11 +14,13 @@
 
 namespace fumage::ui {
 
-Viewport::Viewport(Document& document, Solo& solo, Player& player, GlSupport support, QWidget* parent)
+Viewport::Viewport(
+    Document& document, Solo& solo, Player& player, std::shared_ptr<AirCache> shelf, GlSupport support, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_solo(solo)
     , m_player(player)
+    , m_feed(std::move(shelf))
     , m_surface(makeSurface(support, openGlIsWanted(), this, [this](QPainter& painter) { paintOverlays(painter); }))
     , m_hand(document, m_split, *m_surface->widget(), [this] { return view(); })
     , m_workLine(new WorkLine(this))

@@ -21,10 +21,14 @@ class Viewport : public QWidget {
     Q_OBJECT
 
 public:
-    Viewport(Document& document, Solo& solo, Player& player, GlSupport support, QWidget* parent = nullptr);
+    /// @param shelf for the air of what is shown
+    Viewport(Document& document, Solo& solo, Player& player, std::shared_ptr<AirCache> shelf, GlSupport support,
+        QWidget* parent = nullptr);
 
     /// What is on the screen; null before the first picture.
     [[nodiscard]] const PicturePtr& picture() const { return m_feed.picture(); }
+    /// The air of what is shown, as far as it is baked.
+    [[nodiscard]] const std::shared_ptr<AirCache>& shelf() const { return m_feed.shelf(); }
     /// Whether that is all there is to show of the document at this frame: nothing was given up, nothing is on its way.
     [[nodiscard]] bool isSettled() const { return m_feed.isSettled(); }
     /// Frames whose pictures are kept, for the timeline.

@@ -72,7 +72,7 @@ std::string encodeAir(const AirField& air, AirFormat format)
     return format == AirFormat::Fga ? encodeFga(air) : encodeVf(air);
 }
 
-Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, const Task& task)
+Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, const ExportTask& task)
 {
     if (!scene.air.enabled) {
         return Error{ErrorCode::OutOfRange, makeMessage("no air carries this smoke"), {},
@@ -82,8 +82,7 @@ Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, 
     if (Status status = checkAir(layers); !status) {
         return status.error();
     }
-    AirCache shelf;
-    const std::shared_ptr<BakedAir> baked = shelf.airOf(layers);
+    const std::shared_ptr<BakedAir> baked = airFor(layers, task.shelf);
     const auto stepOf = [&](int number) { return firstAirStep(layers) + number * scene.timeline.stepsPerFrame; };
     constexpr int kPercent = 100;
     const auto baking = [&](double share) {

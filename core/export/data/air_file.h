@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/sequence.h"
 #include "core/flow/field.h"
 #include "core/scene/scene.h"
@@ -41,6 +42,7 @@ struct AirSequenceOptions {
 /// @return the box that the air is in
 /// @error  OutOfRange where no air carries the smoke; that of checkAir(); WouldOverwrite; that of the first frame that
 /// fails: files before it stay
-[[nodiscard]] Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, const Task& task = {});
+[[nodiscard]] Result<AirGrid> writeAir(
+    const Scene& scene, const AirSequenceOptions& options, const ExportTask& task = {});
 
 } // namespace fumage

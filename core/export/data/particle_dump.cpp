@@ -177,8 +177,8 @@ namespace {
 /// Writes the particles of a scene's frames.
 class Dumper {
 public:
-    Dumper(const Scene& scene, ParticleFormat format, UpAxis up)
-        : m_smoke(scene)
+    Dumper(const Scene& scene, ParticleFormat format, UpAxis up, const std::shared_ptr<AirCache>& shelf)
+        : m_smoke(scene, shelf)
         , m_numbers(scene.visibleLayers())
         , m_format(format)
         , m_up(up)
@@ -209,14 +209,15 @@ private:
 
 } // namespace
 
-Result<std::string> dumpParticles(const Scene& scene, int frame, ParticleFormat format, UpAxis up, const Task& task)
+Result<std::string> dumpParticles(
+    const Scene& scene, int frame, ParticleFormat format, UpAxis up, const ExportTask& task)
 {
-    return Dumper(scene, format, up).frame(frame, task);
+    return Dumper(scene, format, up, task.shelf).frame(frame, task);
 }
 
-Status dumpSequence(const Scene& scene, const ParticleSequenceOptions& options, const Task& task)
+Status dumpSequence(const Scene& scene, const ParticleSequenceOptions& options, const ExportTask& task)
 {
-    Dumper dumper(scene, options.format, options.up);
+    Dumper dumper(scene, options.format, options.up, task.shelf);
     const auto bytesOf = [&](int number) { return dumper.frame(number, task); };
     const NumberedFiles files{
         options.output, options.frames, fileEnding(options.format), options.source, options.written};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/sequence.h"
 #include "core/export/data/up_axis.h"
 #include "core/rendering/renderer.h"
@@ -50,7 +51,7 @@ inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFor
 /// Simulates up to a frame and returns its particles as the bytes of a file.
 /// @error those of SceneSimulator::frame()
 [[nodiscard]] Result<std::string> dumpParticles(
-    const Scene& scene, int frame, ParticleFormat format, UpAxis up = UpAxis::Y, const Task& task = {});
+    const Scene& scene, int frame, ParticleFormat format, UpAxis up = UpAxis::Y, const ExportTask& task = {});
 
 struct ParticleSequenceOptions {
     std::filesystem::path output; ///< ## becomes the frame number; see framePath()
@@ -63,6 +64,7 @@ struct ParticleSequenceOptions {
 
 /// Writes the particles of frames into numbered files, each whole or not at all.
 /// @error WouldOverwrite; that of the first frame that fails: files before it stay
-[[nodiscard]] Status dumpSequence(const Scene& scene, const ParticleSequenceOptions& options, const Task& task = {});
+[[nodiscard]] Status dumpSequence(
+    const Scene& scene, const ParticleSequenceOptions& options, const ExportTask& task = {});
 
 } // namespace fumage

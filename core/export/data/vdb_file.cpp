@@ -274,7 +274,7 @@ std::string encodeVdb(const Volume& volume, UpAxis up, std::span<const std::stri
     return out;
 }
 
-Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& options, const Task& task)
+Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& options, const ExportTask& task)
 {
     if (options.longest < kMinVolumeCells || options.longest > kMaxVolumeCells) {
         return Error{ErrorCode::OutOfRange, makeMessage("a volume of %1 cells", options.longest), {},
@@ -293,7 +293,7 @@ Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& opti
         }
         greys.push_back(std::move(found).value());
     }
-    SceneSimulator simulator(layers);
+    SceneSimulator simulator(layers, Simulator::kDefaultCheckpointBytes, task.shelf);
     const Result<float> voxel =
         options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, layers, options.longest, task);
     if (!voxel) {

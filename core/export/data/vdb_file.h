@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/sequence.h"
 #include "core/export/data/up_axis.h"
 #include "core/export/data/volume.h"
@@ -59,6 +60,6 @@ struct VolumeSequenceOptions {
 /// @return the edge of a voxel, m
 /// @error OutOfRange; TooLarge; WouldOverwrite; that of the first frame that fails: files before it stay
 [[nodiscard]] Result<float> writeVolumes(
-    const Scene& scene, const VolumeSequenceOptions& options, const Task& task = {});
+    const Scene& scene, const VolumeSequenceOptions& options, const ExportTask& task = {});
 
 } // namespace fumage

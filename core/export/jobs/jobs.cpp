@@ -80,7 +80,7 @@ std::vector<std::filesystem::path> allFilesOf(const ExportJob& job)
 
 } // namespace
 
-Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task)
+Result<std::optional<Flipbook>> runJob(const ExportJob& job, const ExportTask& task)
 {
     if (job.refusal) {
         return *job.refusal;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/plan.h"
 
 #include <span>
@@ -29,7 +30,7 @@ inline constexpr std::size_t kMaxJobFiles = std::size_t{1} << 20U;
 /// @param task as runExport()
 /// @return the flipbook, where that is what was made
 /// @error its refusal; those of runExport()
-[[nodiscard]] Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task = {});
+[[nodiscard]] Result<std::optional<Flipbook>> runJob(const ExportJob& job, const ExportTask& task = {});
 
 /// The files that jobs write, manifests among them, to find those that one would write over another's. Folders are the
 /// same by whatever way they are named. Names in which A to Z are small or not are the same, as for file systems that

@@ -166,7 +166,7 @@ Result<std::vector<int>> framesThere(const Scene& scene, const SequenceOptions& 
     return there;
 }
 
-Status renderRecorded(const Scene& scene, SequenceOptions options, const Recording& recording, const Task& task)
+Status renderRecorded(const Scene& scene, SequenceOptions options, const Recording& recording, const ExportTask& task)
 {
     std::optional<ManifestRecorder> recorder;
     if (!recording.manifest.empty() && !isUtf8(withinFolderOf(recording.manifest, options.output).string())) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/sheets/flipbook_options.h"
 #include "core/export/manifest/manifest.h"
 #include "core/export/manifest/recording.h"
@@ -40,7 +41,7 @@ inline constexpr std::string_view kFlipbookKind = "flipbook";
 /// renderSequence(), but for frames that are there already, and with a manifest of them all. It is written too where
 /// the work ends early, of what was done until then.
 [[nodiscard]] Status renderRecorded(
-    const Scene& scene, SequenceOptions options, const Recording& recording, const Task& task = {});
+    const Scene& scene, SequenceOptions options, const Recording& recording, const ExportTask& task = {});
 
 /// Writes numbered files that are no pictures, with a manifest of them. It is written too where the work ends early.
 /// @param manifest empty: none

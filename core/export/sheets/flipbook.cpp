@@ -23,7 +23,7 @@ namespace {
 /// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
 /// @param layers gets the cells of each layer; null: nobody asks for them
 Status renderCells(const Scene& scene, const FlipbookOptions& options, PassSheet& sheet, LayerCells* layers,
-    Flipbook& flipbook, const Task& task)
+    Flipbook& flipbook, const ExportTask& task)
 {
     BorderWatch borders(scene);
     PassSet rendered = renderedPasses(options);
@@ -171,7 +171,7 @@ void addSharedFiles(
 }
 
 /// A sheet a layer.
-Result<MadeFlipbook> makeLayers(const Scene& scene, const FlipbookOptions& options, const Task& task)
+Result<MadeFlipbook> makeLayers(const Scene& scene, const FlipbookOptions& options, const ExportTask& task)
 {
     const std::vector<WrittenLayer> layers = writtenLayers(scene);
     const std::vector<FlipbookOptions> sheets = sheetsOf(scene, options);
@@ -204,7 +204,7 @@ Result<MadeFlipbook> makeLayers(const Scene& scene, const FlipbookOptions& optio
     return all;
 }
 
-Result<MadeFlipbook> makeRendered(const Scene& scene, const FlipbookOptions& options, const Task& task)
+Result<MadeFlipbook> makeRendered(const Scene& scene, const FlipbookOptions& options, const ExportTask& task)
 {
     if (isDivided(options)) {
         return makeLayers(scene, options, task);
@@ -243,12 +243,13 @@ Result<Flipbook> writeFlipbook(
 
 } // namespace
 
-Result<Flipbook> renderFlipbook(const Scene& scene, const FlipbookOptions& options, const Task& task)
+Result<Flipbook> renderFlipbook(const Scene& scene, const FlipbookOptions& options, const ExportTask& task)
 {
     return writeFlipbook(scene, options, [&] { return makeRendered(scene, options, task); });
 }
 
-Result<std::vector<FlipbookFile>> encodeFlipbook(const Scene& scene, const FlipbookOptions& options, const Task& task)
+Result<std::vector<FlipbookFile>> encodeFlipbook(
+    const Scene& scene, const FlipbookOptions& options, const ExportTask& task)
 {
     if (Status status = checkFlipbook(scene, options); !status) {
         return status.error();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/task.h"
+#include "core/export/export_task.h"
 #include "core/export/frame_source.h"
 #include "core/export/sheets/flipbook_options.h"
 #include "core/scene/scene.h"
@@ -19,7 +20,7 @@ namespace fumage {
 /// not at all.
 /// @error TooLarge before allocating, OutOfRange, those of checkEngine(), checkPacks() and renderSequence()
 [[nodiscard]] Result<Flipbook> renderFlipbook(
-    const Scene& scene, const FlipbookOptions& options, const Task& task = {});
+    const Scene& scene, const FlipbookOptions& options, const ExportTask& task = {});
 
 /// A file of a flipbook, not written.
 struct FlipbookFile {
@@ -30,7 +31,7 @@ struct FlipbookFile {
 /// The files that renderFlipbook() writes, in the order of filesOf(); nothing is written.
 /// @error those of renderFlipbook()
 [[nodiscard]] Result<std::vector<FlipbookFile>> encodeFlipbook(
-    const Scene& scene, const FlipbookOptions& options, const Task& task = {});
+    const Scene& scene, const FlipbookOptions& options, const ExportTask& task = {});
 
 /// renderFlipbook() of frames that are there already. Nothing is known of smoke that is cut off.
 /// @param options whose only pass is the colour

@@ -49,7 +49,7 @@ void placeCell(const SheetGrid& grid, int number, const Image& cell, Image& shee
 }
 
 Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet,
-    const CellWatch& watch, const Task& task, const std::shared_ptr<AirCache>& shelf)
+    const CellWatch& watch, const ExportTask& task)
 {
     const std::vector<SampledEffect> layers = sampledLayers(scene);
     const int cells = static_cast<int>(frames.numbers.size());
@@ -59,7 +59,7 @@ Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, Pa
             makeRoom(sheet.grid, sheet.targets.targets[i]);
         }
     }
-    FrameNeighbours neighbours(layers, frames, passes.has(Pass::Motion), 0, shelf);
+    FrameNeighbours neighbours(layers, frames, passes.has(Pass::Motion), 0, task.shelf);
     PassRenderer renderer;
     PassImages cell;
     const float base = scene.output.exposure;

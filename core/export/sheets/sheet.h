@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/task.h"
+#include "core/export/export_task.h"
 #include "core/export/frame_neighbours.h"
 #include "core/export/frame_source.h"
 #include "core/export/pass_picture.h"
@@ -31,10 +32,9 @@ using CellWatch = std::function<Status(const PassImages& cell, const FrameAmongO
 /// unless they close a loop: as far behind the last as that is behind the one before
 /// @param columns the cells fill rows of as many
 /// @param passes  what the targets must do for
-/// @param shelf   with air that several sheets of one effect share; null: the sheet bakes its own
 /// @error those of Simulator and PassRenderer
 [[nodiscard]] Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, PassSet passes,
-    PassSheet& sheet, const CellWatch& watch, const Task& task = {}, const std::shared_ptr<AirCache>& shelf = nullptr);
+    PassSheet& sheet, const CellWatch& watch, const ExportTask& task = {});
 
 /// Fills the colour of a sheet with frames that are there already.
 /// @param size of a cell, pixels

@@ -198,19 +198,19 @@ void scorePixels(const PassSheet& sheet, const Output& output, SheetScore& score
 
 } // namespace
 
-Result<SheetScore> scoreSheet(const Scene& scene, const FlipbookOptions& options, int lit, const Task& task)
+Result<SheetScore> scoreSheet(const Scene& scene, const FlipbookOptions& options, int lit, const ExportTask& asked)
 {
     const CellFrames frames = cellFramesOf(scene, options);
     Scene seen = scene;
     seen.output.background = Background::Transparent;
     PassSheet sheet;
-    const auto shelf = std::make_shared<AirCache>(); // one bake of the air for the sheet and for the truth
-    if (Status status = renderSheet(seen, frames, options.columns,
-            {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, task, shelf);
+    const ExportTask task = withShelf(asked); // one bake of the air for the sheet and for the truth
+    if (Status status = renderSheet(
+            seen, frames, options.columns, {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, task);
         !status) {
         return status.error();
     }
-    SceneRenderer renderer(seen, shelf);
+    SceneRenderer renderer(seen, task.shelf);
     SheetScore score;
     scorePixels(sheet, seen.output, score);
     if (Status status = scoreSixWay(seen, options, sheet, frames.numbers, lit, renderer, score, task.stop); !status) {

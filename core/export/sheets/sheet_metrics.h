@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/sheets/flipbook.h"
 #include "core/scene/scene.h"
 
@@ -40,6 +41,6 @@ struct SheetScore {
 /// @error those of renderFlipbook(); OutOfRange where no frame lies between two cells
 /// O(cells + 20 lit). For tests and for those who choose a grid.
 [[nodiscard]] Result<SheetScore> scoreSheet(
-    const Scene& scene, const FlipbookOptions& options, int lit, const Task& task = {});
+    const Scene& scene, const FlipbookOptions& options, int lit, const ExportTask& task = {});
 
 } // namespace fumage

@@ -54,13 +54,12 @@ struct Moment {
     Image truth;
 };
 
-Result<std::vector<Moment>> momentsOf(
-    const Scene& scene, const FlipbookOptions& options, const std::shared_ptr<AirCache>& shelf, const Task& task)
+Result<std::vector<Moment>> momentsOf(const Scene& scene, const FlipbookOptions& options, const ExportTask& task)
 {
     FlipbookOptions halves = options;
     halves.columns = 2 * kMoments;
     halves.rows = 1;
-    SceneRenderer renderer(scene, shelf);
+    SceneRenderer renderer(scene, task.shelf);
     std::vector<Moment> moments(kMoments);
     for (int i = 0; i < kMoments; ++i) {
         const int number = frameOfCell(halves, 2 * i + 1);
@@ -101,7 +100,7 @@ Difference differenceOf(const Image& small, const Image& truth)
 }
 
 Result<double> rate(const Scene& seen, FlipbookOptions options, const SheetCandidate& candidate,
-    const std::vector<Moment>& moments, const std::shared_ptr<AirCache>& shelf, const Task& task)
+    const std::vector<Moment>& moments, const ExportTask& task)
 {
     Scene small = seen;
     small.output.width = candidate.width;
@@ -111,7 +110,7 @@ Result<double> rate(const Scene& seen, FlipbookOptions options, const SheetCandi
     const bool hasMotion = options.passes.has(Pass::Motion);
     PassSheet sheet;
     if (Status status = renderSheet(small, cellFramesOf(small, options), options.columns,
-            hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, task, shelf);
+            hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, task);
         !status) {
         return status.error();
     }
@@ -132,10 +131,9 @@ Result<double> rate(const Scene& seen, FlipbookOptions options, const SheetCandi
 }
 
 Result<std::vector<SheetCandidate>> rateAll(
-    const Scene& seen, const FlipbookOptions& options, std::vector<SheetCandidate> candidates, const Task& task)
+    const Scene& seen, const FlipbookOptions& options, std::vector<SheetCandidate> candidates, const ExportTask& task)
 {
-    const auto shelf = std::make_shared<AirCache>(); // the air knows nothing of the size of cells: one bake serves all
-    const Result<std::vector<Moment>> moments = momentsOf(seen, options, shelf, task);
+    const Result<std::vector<Moment>> moments = momentsOf(seen, options, task);
     if (!moments) {
         return moments.error();
     }
@@ -146,7 +144,8 @@ Result<std::vector<SheetCandidate>> rateAll(
         const auto told = [&](ProgressPhase work, int done, int of) {
             work == ProgressPhase::Frames ? task.progress(work, before + done, total) : task.progress(work, done, of);
         };
-        const Result<double> decibels = rate(seen, options, candidate, moments.value(), shelf, {told, task.stop});
+        const Result<double> decibels =
+            rate(seen, options, candidate, moments.value(), {{told, task.stop}, task.shelf});
         if (!decibels) {
             return decibels.error();
         }
@@ -193,12 +192,13 @@ std::vector<SheetCandidate> sheetsWithin(
 }
 
 Result<std::vector<SheetCandidate>> rateSheets(
-    const Scene& scene, const ExportPlan& plan, std::int64_t budget, const Task& task)
+    const Scene& scene, const ExportPlan& plan, std::int64_t budget, const ExportTask& asked)
 {
     return withinMemory([&]() -> Result<std::vector<SheetCandidate>> {
-        ExportPlan anyGrid = plan;
-        anyGrid.flipbook.powerOfTwo = false;
-        Result<Scene> seen = sceneSeenBy(scene, anyGrid, task);
+        const ExportTask task = withShelf(asked);
+        ExportPlan allFrames = plan;
+        allFrames.kind = ExportKind::Sequence; // as no grid leaves frames out, and none asks for powers of two
+        Result<Scene> seen = sceneSeenBy(scene, allFrames, task);
         if (!seen) {
             return seen.error();
         }
@@ -207,7 +207,7 @@ Result<std::vector<SheetCandidate>> rateSheets(
         if (!options) {
             return options.error();
         }
-        anyGrid.flipbook.powerOfTwo = plan.flipbook.powerOfTwo;
+        ExportPlan anyGrid = plan;
         anyGrid.frames = options.value().frames;
         const std::vector<SheetCandidate> candidates =
             sheetsWithin(budget, seen.value().output, anyGrid, writtenLayers(seen.value()).size());

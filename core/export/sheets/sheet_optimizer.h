@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/plan.h"
 #include "core/scene/scene.h"
 
@@ -33,7 +34,7 @@ struct SheetCandidate {
 /// @error OutOfRange where the budget is too small for any; those of sceneSeenBy() and flipbookSeenBy(), Cancelled
 /// O(cells of all candidates).
 [[nodiscard]] Result<std::vector<SheetCandidate>> rateSheets(
-    const Scene& scene, const ExportPlan& plan, std::int64_t budget, const Task& task = {});
+    const Scene& scene, const ExportPlan& plan, std::int64_t budget, const ExportTask& task = {});
 
 /// The best of them; of equals the one that needs less memory.
 /// @param candidates not empty

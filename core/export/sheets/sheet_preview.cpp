@@ -68,16 +68,17 @@ void storeColours(const Scene& scene, ImageFormat format, SheetPreview& preview)
 } // namespace
 
 Result<std::shared_ptr<const SheetPreview>> previewFlipbook(
-    const Scene& scene, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task)
+    const Scene& scene, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const ExportTask& asked)
 {
     return withinMemory([&]() -> Result<std::shared_ptr<const SheetPreview>> {
+        const ExportTask task = withShelf(asked);
         Result<Scene> seen = sceneSeenBy(scene, plan, task);
         if (!seen) {
             return seen.error();
         }
-        const FlipbookOptions asked = flipbookOf(plan);
+        const FlipbookOptions whole = flipbookOf(plan);
         auto preview = std::make_shared<SheetPreview>();
-        preview->isWhole = shrink(seen.value().output, asked.columns * asked.rows, mostEdge, mostPixels);
+        preview->isWhole = shrink(seen.value().output, whole.columns * whole.rows, mostEdge, mostPixels);
         const Result<FlipbookOptions> made = flipbookSeenBy(seen.value(), plan, task);
         if (!made) {
             return made.error();

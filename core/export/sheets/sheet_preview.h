@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/plan.h"
 #include "core/export/sheets/sheet_playback.h"
 #include "core/scene/scene.h"
@@ -23,6 +24,6 @@ struct SheetPreview {
 /// @error those of runExport()
 /// O(cells).
 [[nodiscard]] Result<std::shared_ptr<const SheetPreview>> previewFlipbook(
-    const Scene& scene, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task = {});
+    const Scene& scene, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const ExportTask& task = {});
 
 } // namespace fumage

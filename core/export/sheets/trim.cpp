@@ -13,10 +13,10 @@ namespace {
 /// Looks for smoke in frames.
 class SmokeWatch {
 public:
-    SmokeWatch(const Scene& scene, int total, const Task& task)
+    SmokeWatch(const Scene& scene, int total, const ExportTask& task)
         : m_scene(scene)
         , m_layers(sampledLayers(scene))
-        , m_simulator(m_layers)
+        , m_simulator(m_layers, Simulator::kDefaultCheckpointBytes, task.shelf)
         , m_total(total)
         , m_task(task)
     {
@@ -68,7 +68,7 @@ private:
 
 } // namespace
 
-Result<FrameRange> trimmed(const Scene& scene, const FrameRange& frames, const Task& task)
+Result<FrameRange> trimmed(const Scene& scene, const FrameRange& frames, const ExportTask& task)
 {
     if (scene.timeline.loop) {
         return Error{ErrorCode::OutOfRange,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/task.h"
+#include "core/export/export_task.h"
 #include "core/export/sequence.h"
 #include "core/scene/scene.h"
 
@@ -12,6 +12,6 @@ namespace fumage {
 /// @param task   hears of ProgressPhase::Fitting after each frame that was looked at
 /// @error OutOfRange where no frame has smoke, and in a loop, which would no longer close; Cancelled and those of
 /// Simulator and PassRenderer O(frames that are left out).
-[[nodiscard]] Result<FrameRange> trimmed(const Scene& scene, const FrameRange& frames, const Task& task = {});
+[[nodiscard]] Result<FrameRange> trimmed(const Scene& scene, const FrameRange& frames, const ExportTask& task = {});
 
 } // namespace fumage

@@ -225,9 +225,9 @@ std::array<int, 2> sizeOf(const Output& output, VideoFormat format)
     return {edge(output.width), edge(output.height)};
 }
 
-Status renderVideo(const Scene& scene, const VideoOptions& options, const Task& task)
+Status renderVideo(const Scene& scene, const VideoOptions& options, const ExportTask& task)
 {
-    SceneRenderer renderer(scene);
+    SceneRenderer renderer(scene, task.shelf);
     const auto render = [&](int number, Image& image) -> Status {
         return renderer.render(number, scene.output.width, scene.output.height, image, task);
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/export_task.h"
 #include "core/export/video/frame_rate.h"
 #include "core/export/frame_source.h"
 #include "core/scene/scene.h"
@@ -61,7 +62,7 @@ struct VideoOptions {
 /// encoded while the next is made.
 /// @param task as renderSequence()
 /// @error FileNotFound without ffmpeg, WriteFailed with what it said, Cancelled, those of writeFileAtomically()
-[[nodiscard]] Status renderVideo(const Scene& scene, const VideoOptions& options, const Task& task = {});
+[[nodiscard]] Status renderVideo(const Scene& scene, const VideoOptions& options, const ExportTask& task = {});
 
 /// The same of frames that are there already.
 /// @error those of renderVideo() and of the frames
