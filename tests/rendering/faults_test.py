@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "resources" / "gallery"))
-from faults import dots, repetition, shimmer, smoothed  # noqa: E402
+from faults import carried, dots, repetition, shimmer, smoothed  # noqa: E402
 from focus import contrast, rims  # noqa: E402
 from gallery import densities_of  # noqa: E402
 
@@ -71,6 +71,16 @@ class Measures(unittest.TestCase):
             alpha = np.clip(0.5 + (60.0 - np.hypot(x, y)) / width, 0.0, 1.0)  # from 10 to 90 %: eight tenths of it
             for percentile in rims(alpha):
                 self.assertAlmostEqual(percentile, 0.8 * width, delta=0.05 * width)
+
+    def test_detail_that_moves_is_carried_and_what_is_drawn_anew_is_not(self):
+        noise = np.random.default_rng(5)
+        one, new = (smoothed(noise.random((160, 160)), 2.0) for _ in range(2))
+        body = np.ones(one.shape, dtype=bool)
+        self.assertGreater(carried(one, np.roll(one, (3, -4), axis=(0, 1)), body), 0.99)
+        self.assertLess(carried(one, new, body), 0.5)
+        half = carried(one, 0.5 * (np.roll(one, 2, axis=0) + new), body)  # the correlation of a sum of two that are alike in size
+        self.assertAlmostEqual(half, np.sqrt(0.5), delta=0.05)
+        self.assertTrue(np.isnan(carried(one, one, ~body)))
 
     def test_shimmer_is_none_in_steady_change_and_two_in_what_comes_and_goes(self):
         noise = np.random.default_rng(3)
