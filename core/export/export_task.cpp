@@ -6,7 +6,11 @@ namespace fumage {
 
 ExportTask withShelf(const ExportTask& task)
 {
-    return {task, task.shelf ? task.shelf : std::make_shared<AirCache>()};
+    ExportTask shared = task;
+    if (!shared.shelf) {
+        shared.shelf = std::make_shared<AirCache>();
+    }
+    return shared;
 }
 
 } // namespace fumage
