@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/task.h"
-#include "core/export/export_task.h"
 
 #include <memory>
 #include <utility>
@@ -15,8 +14,8 @@ struct ExportTask : Task {
     using Task::Task;
     ExportTask() = default;
     /// @param airs null: the air is baked for this work alone
-    ExportTask(
-        Task task, std::shared_ptr<AirCache> airs = nullptr) // NOLINT(google-explicit-constructor): most have none
+    // NOLINTNEXTLINE(google-explicit-constructor): most tasks have no airs
+    ExportTask(Task task, std::shared_ptr<AirCache> airs = nullptr)
         : Task(std::move(task))
         , shelf(std::move(airs))
     {

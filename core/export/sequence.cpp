@@ -227,12 +227,9 @@ std::filesystem::path framePath(const SequenceOptions& options, int frame)
 
 std::vector<int> numbersOf(const SequenceOptions& options)
 {
-    std::vector<int> numbers;
-    for (int i = 0; i < options.frames.count(); ++i) {
-        if (!std::binary_search(options.leftOut.begin(), options.leftOut.end(), options.frames.at(i))) {
-            numbers.push_back(options.frames.at(i));
-        }
-    }
+    std::vector<int> numbers = numbersOf(options.frames);
+    std::erase_if(numbers,
+        [&](int number) { return std::binary_search(options.leftOut.begin(), options.leftOut.end(), number); });
     return numbers;
 }
 

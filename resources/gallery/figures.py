@@ -18,8 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from faults import carried, dots, repetition, shimmer
-from focus import contrast, rims
-from gallery import densities_of, render, spike_of
+from gallery import densities_of, focus_of, render, spike_of
 
 SECOND = 30  # frames
 USUAL_FIRST = 60
@@ -99,12 +98,11 @@ def main() -> None:
             first = first_frame(cli, preset)
             second = densities_of(cli, preset, first, SECOND, folder, [])
             found = {"spike": spike_of(second), "shimmer": shimmer(second), "dots": dots(second[0])}
-            picture = render(cli, preset, first, folder / "focus.png", (384, 384), [], ("--fit",))
-            pixels = np.asarray(picture, dtype=np.float64) / 255.0
+            bands, widths = focus_of(cli, preset, first, folder)
             faults.append(
                 f"| {preset} | {numbers(list(found.values()), 2).replace(' ', ' | ')} | {repetition(second[0]):.2f} "
                 f"| {numbers([carried_of(cli, preset, first, folder)], 2)} "
-                f"| {numbers(contrast(pixels), 3)} | {numbers(rims(pixels[..., 3]), 1)} |"
+                f"| {numbers(bands, 3)} | {numbers(widths, 1)} |"
             )
             if any(found[key] > most for key, most in MOST.items()):
                 beyond.append(f"`{preset}`")

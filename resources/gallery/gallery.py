@@ -119,9 +119,9 @@ def spike_of(frames: list[np.ndarray]) -> float:
     return float((steps[1:-1] / np.maximum(0.5 * (steps[:-2] + steps[2:]), 1e-9)).max())
 
 
-def focus_of(cli: str, preset: str, folder: pathlib.Path) -> tuple[list[float], list[float]]:
-    """Contrast and rims of frame 60 where the smoke fills the picture, at the size of a sheet's large cell."""
-    picture = render(cli, preset, 60, folder / "focus.png", (384, 384), [], ("--fit",))
+def focus_of(cli: str, preset: str, frame: int, folder: pathlib.Path) -> tuple[list[float], list[float]]:
+    """Contrast and rims of a frame where the smoke fills the picture, at the size of a sheet's large cell."""
+    picture = render(cli, preset, frame, folder / "focus.png", (384, 384), [], ("--fit",))
     pixels = np.asarray(picture, dtype=np.float64) / 255.0
     return contrast(pixels), rims(pixels[..., 3])
 
@@ -195,7 +195,7 @@ def main() -> None:
     for preset in presets:
         second = densities_of(cli, preset, 60, 30, out, [])
         print(f"{preset:18s} {spike_of(second):6.2f} {shimmer(second):8.2f} {dots(second[0]):6.2f} {repetition(second[0]):11.2f} ", end="")
-        bands, widths = focus_of(cli, preset, out)
+        bands, widths = focus_of(cli, preset, 60, out)
         print(" ".join(f"{value:6.3f}" for value in bands), " ".join(f"{value:5.1f}" for value in widths))
         moments.append([flat(render(cli, preset, frame, out / "moment.png", (EDGE // 2, EDGE // 2), [])) for frame in (20, 60, 110)])
     embergen = (references / EMBERGEN).exists()
