@@ -4,12 +4,14 @@ and carried, of pictures as they are seen, for detail that is drawn anew where i
 The others take density as rows of numbers from 0 to 1 (alpha, or 1 - exp(-optical depth)), at the size at which it is looked at.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 FRINGE = (0.01, 0.3)  # mean density around a pixel of the fringe, where smoke thins out
 DOT = 0.35  # how far a dot stands out, beside the mean density around it
 ROUND = 0.4  # least curvature of a dot beside its largest: a thread has none along itself
-PATCH, REACH = 20, 5  # pixels: what is looked for in the next frame, and how far it may have gone
+PATCH, REACH = 20, 9  # pixels: what is looked for in the next frame, and how far it may have gone
 COARSE = 6.0  # pixels, deviation of the Gauss filter that leaves a patch its detail
 FLAT = 0.006  # least deviation of a patch that has any
 HIGH = 3.0  # pixels, deviation of the Gauss filter above which structure is no detail
@@ -74,24 +76,35 @@ def mean_of_patches(image: np.ndarray) -> np.ndarray:
     return (sums[PATCH:, PATCH:] - sums[:-PATCH, PATCH:] - sums[PATCH:, :-PATCH] + sums[:-PATCH, :-PATCH]) / PATCH**2
 
 
-def carried(one: np.ndarray, other: np.ndarray, inside: np.ndarray) -> float:
-    """How much of the detail of a frame is there in the next, wherever it has gone: the mean over patches of their largest correlation.
+class Carried(NamedTuple):
+    share: float  # 1 for detail that goes with the smoke, about .4 for detail that is new in each frame
+    pixels: float  # that it goes
 
-    1 for detail that goes with the smoke, about .4 for detail that is new in each frame, not a number where no patch lies within.
+
+def carried(one: np.ndarray, other: np.ndarray, inside: np.ndarray) -> Carried:
+    """How much of the detail of a frame is there in the next, wherever it has gone, and how far it goes: the mean over patches of their largest
+    correlation, and the median of the ways to it. Not numbers where no patch lies within.
 
     inside: where the smoke is dense, so that nothing behind it is seen
     """
+    if not inside.any():
+        return Carried(float("nan"), float("nan"))
+    rows, columns = (np.flatnonzero(inside.any(axis)) for axis in (1, 0))
+    border = PATCH + REACH
+    box = tuple(slice(max(0, among[0] - border), among[-1] + 1 + border) for among in (rows, columns))
+    one, other, inside = one[box], other[box], inside[box]
     detail, after = (image - smoothed(image, COARSE) for image in (one, other))
     mean, spread = mean_of_patches(detail), mean_of_patches(detail**2)
     spread = np.sqrt(np.maximum(spread - mean**2, 0.0))
-    found = np.full(mean.shape, -1.0)
+    found, way = np.full(mean.shape, -1.0), np.zeros(mean.shape)
     for y in range(-REACH, REACH + 1):
         for x in range(-REACH, REACH + 1):
             moved = np.roll(after, (-y, -x), axis=(0, 1))
             its_mean = mean_of_patches(moved)
             its_spread = np.sqrt(np.maximum(mean_of_patches(moved**2) - its_mean**2, 1e-18))
             alike = (mean_of_patches(detail * moved) - mean * its_mean) / np.maximum(spread * its_spread, 1e-9)
+            way = np.where(alike > found, np.hypot(x, y), way)
             found = np.maximum(found, alike)
     counts = (mean_of_patches(inside.astype(float)) > 0.999) & (spread > FLAT)
     counts[:REACH] = counts[-REACH:] = counts[:, :REACH] = counts[:, -REACH:] = False
-    return float(found[counts].mean()) if counts.any() else float("nan")
+    return Carried(float(found[counts].mean()), float(np.median(way[counts]))) if counts.any() else Carried(float("nan"), float("nan"))

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from faults import carried, dots, repetition, shimmer
+from faults import Carried, carried, dots, repetition, shimmer
 from gallery import densities_of, focus_of, render, spike_of
 
 SECOND = 30  # frames
@@ -32,12 +32,12 @@ Written by `./dev gallery figures`, never by hand; what each says stands in [REA
 
 `spike`, `shimmer`, `dots`, `repetition`: of a second at 256 pixels, see faults.py; solvers' pictures have 0 to 1.75
 dots, 4000 small particles 7 to 11 and a shimmer of 1.5. `carried`: how much of the detail of a frame goes with the
-smoke into the next, of 1. `contrast`: deviation of ln(luminance) within the body, in the
+smoke into the next, of 1; `way`: how far, in pixels of a picture of 512 (median). `contrast`: deviation of ln(luminance) within the body, in the
 bands under 1, 1 to 2 and 2 to 4 pixels of a fitted picture of 384; `rims`: their widths in pixels, the 10th, 50th and
 90th percentile, see focus.py. A dash stands where there is no body.
 
-| preset | spike | shimmer | dots | repetition | carried | contrast | rims |
-|---|---|---|---|---|---|---|---|
+| preset | spike | shimmer | dots | repetition | carried | way | contrast | rims |
+|---|---|---|---|---|---|---|---|---|
 {faults}
 
 Beyond a spike of {spike}, a shimmer of {shimmer} or {dots} dots: {beyond}.
@@ -76,7 +76,7 @@ def first_frame(cli: str, preset: str) -> int:
     return USUAL_FIRST if length >= USUAL_FIRST + SECOND else max(0, (length - SECOND) // 2)
 
 
-def carried_of(cli: str, preset: str, frame: int, folder: pathlib.Path) -> float:
+def carried_of(cli: str, preset: str, frame: int, folder: pathlib.Path) -> Carried:
     """Over grey, as the eye sees it."""
     frames = [np.asarray(render(cli, preset, number, folder / "seen.png", (512, 512), [], ()), dtype=float) / 255 for number in (frame, frame + 1)]
     alphas = [picture[..., 3] for picture in frames]
@@ -98,10 +98,11 @@ def main() -> None:
             first = first_frame(cli, preset)
             second = densities_of(cli, preset, first, SECOND, folder, [])
             found = {"spike": spike_of(second), "shimmer": shimmer(second), "dots": dots(second[0])}
+            going = carried_of(cli, preset, first, folder)
             bands, widths = focus_of(cli, preset, first, folder)
             faults.append(
                 f"| {preset} | {numbers(list(found.values()), 2).replace(' ', ' | ')} | {repetition(second[0]):.2f} "
-                f"| {numbers([carried_of(cli, preset, first, folder)], 2)} "
+                f"| {numbers([going.share], 2)} | {numbers([going.pixels], 1)} "
                 f"| {numbers(bands, 3)} | {numbers(widths, 1)} |"
             )
             if any(found[key] > most for key, most in MOST.items()):

@@ -76,11 +76,13 @@ class Measures(unittest.TestCase):
         noise = np.random.default_rng(5)
         one, new = (smoothed(noise.random((160, 160)), 2.0) for _ in range(2))
         body = np.ones(one.shape, dtype=bool)
-        self.assertGreater(carried(one, np.roll(one, (3, -4), axis=(0, 1)), body), 0.99)
-        self.assertLess(carried(one, new, body), 0.5)
-        half = carried(one, 0.5 * (np.roll(one, 2, axis=0) + new), body)  # the correlation of a sum of two that are alike in size
+        share, pixels = carried(one, np.roll(one, (3, -4), axis=(0, 1)), body)
+        self.assertGreater(share, 0.99)
+        self.assertEqual(pixels, 5.0)
+        self.assertLess(carried(one, new, body).share, 0.5)
+        half = carried(one, 0.5 * (np.roll(one, 2, axis=0) + new), body).share  # the correlation of a sum of two that are alike in size
         self.assertAlmostEqual(half, np.sqrt(0.5), delta=0.05)
-        self.assertTrue(np.isnan(carried(one, one, ~body)))
+        self.assertTrue(np.isnan(carried(one, one, ~body)).all())
 
     def test_shimmer_is_none_in_steady_change_and_two_in_what_comes_and_goes(self):
         noise = np.random.default_rng(3)
