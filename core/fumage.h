@@ -138,11 +138,12 @@ FUMAGE_API const float* fumage_lit_colour(fumage_smoke* smoke, const float* eye)
  * it does. */
 FUMAGE_API const float* fumage_normal(fumage_smoke* smoke);
 
-/* One number a slot: seconds since birth, and the share of its life that has passed, 0 to 1. */
+/* One number a slot: seconds since birth, those of the game times timeline.time_scale, and the share of its life that
+ * has passed, 0 to 1. */
 FUMAGE_API const float* fumage_age(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_life(fumage_smoke* smoke);
 
-/* Velocity without the turbulence that carries particles, m/s. */
+/* Velocity without the turbulence that carries particles, m/s; times timeline.time_scale it is that in the game. */
 FUMAGE_API const float* fumage_velocity_x(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_velocity_y(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_velocity_z(fumage_smoke* smoke);

@@ -314,6 +314,7 @@ struct Camera {
 struct Timeline {
     int frameRate = 30;
     int stepsPerFrame = 1;
+    float timeScale = 1.0F;
     int length = 150;
     bool loop = false;
     bool prewarm = true;

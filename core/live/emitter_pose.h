@@ -11,8 +11,8 @@ namespace fumage {
 struct EmitterPose {
     glm::vec3 position{0.0F}; ///< m
     glm::vec3 normal{0.0F, 1.0F, 0.0F}; ///< of any length but 0
-    glm::vec3 velocity{0.0F}; ///< that particles take along at birth, m/s; (0, 0, 0) where smoke shall not be thrown by
-                              ///< a moving emitter
+    glm::vec3 velocity{0.0F}; ///< that particles take along at birth, m/s of the game; (0, 0, 0) where smoke shall not
+                              ///< be thrown by a moving emitter
 };
 
 /// Where an effect has its emitter, at rest.

@@ -202,8 +202,8 @@ void LiveLayer::findBirths(std::int64_t births)
 
 void LiveLayer::moveParticles(std::int64_t births)
 {
-    EmitterTravel travel{
-        m_coming.position - m_pose.position, m_pose.normal, m_coming.velocity, m_parts.front().betweenSteps};
+    const glm::vec3 velocity = m_coming.velocity / effect()->timeline.timeScale;
+    EmitterTravel travel{m_coming.position - m_pose.position, m_pose.normal, velocity, m_parts.front().betweenSteps};
     if (areAlmostOpposite(travel.normalBefore, m_coming.normal)) {
         travel.normalBefore = m_coming.normal;
     }

@@ -216,7 +216,8 @@ void PassRenderer::fillColours(const FrameAmongOthers& frames, std::size_t layer
         const Effect& effect = *of.effect;
         job.previous = momentOf(*of.now, of.previous, -frames.sincePrevious, m_cameraBefore, size, m_previous);
         job.next = momentOf(*of.now, of.next, frames.untilNext, m_cameraAfter, size, m_next);
-        job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect.timeline.frameRate);
+        job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect.timeline.frameRate)
+            * effect.timeline.timeScale;
         job.motion = &target(PassTarget::Motion, layer);
     }
     if (needsTarget(passes, PassTarget::Inner)) {

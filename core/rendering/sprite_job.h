@@ -41,7 +41,7 @@ struct SpriteJob {
     /// the finest; by erosion.
     std::array<std::array<float, TextureRef::kErosionSteps + 1>, SpriteTexture::kMaxLevels + 1> evenness{};
     float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1
-    float stretch = 0.0F; ///< s
+    float stretch = 0.0F; ///< s of the smoke
     bool deforms = false; ///< particles have a shape that is drawn
     float deformation = 0.0F; ///< share of it that is drawn
     float deformationLimit = 1.0F; ///< of an axis, over the radius

@@ -66,7 +66,7 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     job.spinVariance = radians(effect.look.spinVariance);
     job.textureSlicesPerSecond = effect.look.textureRate * static_cast<float>(slices) / effect.noise.depth;
     job.erosion = effect.look.erosion;
-    job.stretch = effect.look.stretch;
+    job.stretch = effect.look.stretch * effect.timeline.timeScale;
     job.deformation = effect.look.deformation;
     job.deformationLimit = effect.look.deformationLimit;
     job.style = makeStyle(effect, view);

@@ -251,7 +251,8 @@ Schedule makeSchedule(const SampledEffect& effect)
 {
     const Timeline& timeline = effect->timeline;
     const std::int64_t count = effect->emitter.count;
-    const double dt = 1.0 / (static_cast<double>(timeline.frameRate) * timeline.stepsPerFrame);
+    const double ofFilm = 1.0 / (static_cast<double>(timeline.frameRate) * timeline.stepsPerFrame);
+    const double dt = ofFilm * static_cast<double>(timeline.timeScale);
 
     Schedule schedule;
     schedule.dt = static_cast<float>(dt);
@@ -263,9 +264,11 @@ Schedule makeSchedule(const SampledEffect& effect)
 
     const bool burst = effect->emitter.mode == EmissionMode::Burst;
     const bool ends = burst || effect->emitter.length > 0.0F;
-    const double seconds = static_cast<double>(burst ? effect->emitter.burstDuration : effect->emitter.length);
+    // How long a burst takes is a matter of the smoke, how long an emitter is on one of the film.
+    const auto lasting = static_cast<double>(effect->emitter.length) * static_cast<double>(timeline.timeScale);
+    const double seconds = burst ? static_cast<double>(effect->emitter.burstDuration) : lasting;
     const std::int64_t window = ends ? wholeSteps(seconds, dt) : 0;
-    const std::int64_t start = std::llround(static_cast<double>(effect->emitter.start) / dt);
+    const std::int64_t start = std::llround(static_cast<double>(effect->emitter.start) / ofFilm);
     const std::int64_t lifetime = schedule.lifetimeSteps;
     if (timeline.loop) {
         schedule.periodSteps = schedule.loopSteps;

@@ -24,7 +24,7 @@ struct BirthTable {
 /// windowSteps. A particle that is born at step b is alive at steps b to b + lifetimeSteps - 1. Between steps, its
 /// birth is a random part of a step before b.
 struct Schedule {
-    float dt = 0.0F; ///< seconds a step
+    float dt = 0.0F; ///< seconds of smoke a step: those of the film times timeline.time_scale
     std::int64_t lifetimeSteps = 1; ///< L = ceil(Ai / (fade dt)), eq. XIII of the 2012 model
     std::int64_t birthsPerPeriod = 1;
     std::int64_t periodSteps = 1;

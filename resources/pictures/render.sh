@@ -5,7 +5,7 @@ set -euo pipefail
 cli=$1
 here=$(cd "$(dirname "$0")" && pwd)
 sky=(--set output.background=colour --set "output.background_colour=[0.05,0.1,0.18]")
-"$cli" render default --frames 130 --size 960x640 --supersample 2 --set emitter.count=1000000 --set look.size=0.12 --set air.resolution=96 --set light.resolution=96 --set camera.distance=15.5 --set "camera.target=[0.43,5.2,0]" "${sky[@]}" --output "$here/default_wide.png"
+"$cli" render default --frames 60 --size 960x640 --supersample 2 --set emitter.count=1000000 --set look.size=0.12 --set air.resolution=96 --set light.resolution=96 --set camera.distance=15.5 --set "camera.target=[0.43,5.2,0]" "${sky[@]}" --output "$here/default_wide.png"
 for preset in "$here"/../presets/*.json; do
     name=$(basename "$preset" .json)
     frame=70
@@ -17,12 +17,13 @@ for preset in "$here"/../presets/*.json; do
     blast | breath) frame=40 ;;
     landing) frame=50 ;;
     dust) frame=55 ;;
+    mushroom-cloud) frame=63 ;;
     rolling-dust) frame=72 ;;
     missile) frame=84 ;;
-    mushroom-cloud) frame=95 ;;
+    gusty-chimney) frame=86 ;;
+    chimney) frame=88 ;;
     lit-fire) frame=100 ;;
-    gusty-chimney) frame=108 ;;
-    ceiling | chimney) frame=110 ;;
+    ceiling) frame=110 ;;
     firework | rocket-launch) frame=120 ;;
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"

@@ -6642,6 +6642,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>wind frequency</source>
         <translation>vind frekvens byar takt ofta</translation>
     </message>
+    <message>
+        <source>Time scale</source>
+        <translation>Tidsskala</translation>
+    </message>
+    <message>
+        <source>speed fast slow motion playback simulation faster slower tempo</source>
+        <translation>hastighet snabb långsam slow motion uppspelning simulering snabbare långsammare tempo</translation>
+    </message>
+    <message>
+        <source>Seconds of smoke in a second of film: 2 lets all of it happen twice as fast, 0.5 in slow motion. Key frames, start and length keep their frames.</source>
+        <translation>Sekunder av röken i en sekund av filmen: 2 låter allt ske dubbelt så fort, 0,5 i slow motion. Nyckelbildrutor, start och längd behåller sina bildrutor.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>

@@ -6642,6 +6642,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>wind frequency</source>
         <translation>风 频率 速率 快慢</translation>
     </message>
+    <message>
+        <source>Time scale</source>
+        <translation>时间缩放</translation>
+    </message>
+    <message>
+        <source>speed fast slow motion playback simulation faster slower tempo</source>
+        <translation>速度 快 慢 慢动作 播放 模拟 加快 放慢 节奏</translation>
+    </message>
+    <message>
+        <source>Seconds of smoke in a second of film: 2 lets all of it happen twice as fast, 0.5 in slow motion. Key frames, start and length keep their frames.</source>
+        <translation>影片每一秒对应的烟雾秒数：2 使一切快一倍，0.5 为慢动作。关键帧、开始和时长保持各自的帧。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>

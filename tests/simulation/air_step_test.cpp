@@ -18,7 +18,9 @@ constexpr std::array kRates{6, 8, 10, 12, 15, 24, 30, 60, 120};
 
 Effect presetOf(const std::string& name)
 {
-    return loadPreset(name).value().preset.scene.effect();
+    Effect effect = loadPreset(name).value().preset.scene.effect();
+    effect.timeline.timeScale = 1.0F; // a step is one of the frame rate's
+    return effect;
 }
 
 /// All parts of a step, one after another.
@@ -143,7 +145,7 @@ private slots:
     void shortStepsAreWhole()
     {
         for (const LibraryEntry& entry : builtinPresets()) {
-            Effect effect = loadPreset(entry).value().preset.scene.effect();
+            Effect effect = presetOf(entry.id);
             if (!effect.air.enabled || effect.source.expansion > 17.0F) {
                 continue;
             }
@@ -322,7 +324,7 @@ private slots:
     void noBuiltInPresetIsBakedForTooLong()
     {
         for (const LibraryEntry& entry : builtinPresets()) {
-            Effect effect = loadPreset(entry).value().preset.scene.effect();
+            Effect effect = presetOf(entry.id);
             QVERIFY(checkAir(sampled(effect)));
             effect.timeline.loop = true;
             effect.timeline.length = 600;

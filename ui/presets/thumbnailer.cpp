@@ -22,8 +22,8 @@ int tellingFrame(const Effect& effect)
     const double seconds = effect.emitter.mode == EmissionMode::Burst
         ? std::min(0.4 * life, static_cast<double>(effect.emitter.burstDuration) + 0.8)
         : life;
-    return std::clamp(
-        static_cast<int>(seconds * effect.timeline.frameRate), 0, std::max(0, effect.timeline.length - 1));
+    const double ofFilm = seconds / static_cast<double>(effect.timeline.timeScale);
+    return std::clamp(static_cast<int>(ofFilm * effect.timeline.frameRate), 0, std::max(0, effect.timeline.length - 1));
 }
 
 /// What is rendered in place of a scene: few particles, coarse air.

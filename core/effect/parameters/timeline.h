@@ -53,6 +53,21 @@ inline constexpr std::array kRows<Timeline>{
         .varies = false,
         .live = Live::Fixed,
     }),
+    row<&Timeline::timeScale>({
+        .key = "timeline.time_scale",
+        .since = 2,
+        .label = "Time scale",
+        .synonyms = "speed fast slow motion playback simulation faster slower tempo",
+        .hard = {0.1, 4},
+        .soft = {0.25, 4},
+        .step = 0.05,
+        .scale = Scale::Log,
+        .tip = "Seconds of smoke in a second of film: 2 lets all of it happen twice as fast, 0.5 in slow motion. Key "
+               "frames, start and length keep their frames.",
+        .dirties = DirtyStage::Air,
+        .varies = false,
+        .live = Live::Fixed,
+    }),
     row<&Timeline::stepsPerFrame>({
         .key = "timeline.steps_per_frame",
         .label = "Substeps",

@@ -23,7 +23,7 @@ void inFileOrder(const glm::ivec3& n, const Visit& visit)
     }
 }
 
-std::string encodeFga(const AirField& air)
+std::string encodeFga(const AirField& air, float timeScale)
 {
     constexpr float kCentimetres = 100.0F;
     const AirGrid& grid = air.grid;
@@ -38,13 +38,13 @@ std::string encodeFga(const AirField& air)
     append(grid.end() * kCentimetres);
     out += '\n';
     inFileOrder({grid.cells.x, grid.cells.z, grid.cells.y}, [&](const glm::ivec3& at) {
-        append(glm::vec3(air.at(grid.centre({at.x, at.z, at.y}))) * kCentimetres);
+        append(glm::vec3(air.at(grid.centre({at.x, at.z, at.y}))) * (timeScale * kCentimetres));
         out += '\n';
     });
     return out;
 }
 
-std::string encodeVf(const AirField& air)
+std::string encodeVf(const AirField& air, float timeScale)
 {
     const AirGrid& grid = air.grid;
     std::string out = "VF_V";
@@ -52,7 +52,7 @@ std::string encodeVf(const AirField& air)
         appendLittleEndian(out, static_cast<std::uint32_t>(grid.cells[axis]), 2);
     }
     inFileOrder(grid.cells, [&](const glm::ivec3& at) {
-        const glm::vec4 velocity = air.at(grid.centre({at.x, at.y, grid.cells.z - 1 - at.z}));
+        const glm::vec4 velocity = timeScale * air.at(grid.centre({at.x, at.y, grid.cells.z - 1 - at.z}));
         for (const float number : {velocity.x, velocity.y, -velocity.z}) {
             appendLittleEndian(out, number);
         }
@@ -67,9 +67,9 @@ std::string_view fileEnding(AirFormat format)
     return format == AirFormat::Fga ? ".fga" : ".vf";
 }
 
-std::string encodeAir(const AirField& air, AirFormat format)
+std::string encodeAir(const AirField& air, AirFormat format, float timeScale)
 {
-    return format == AirFormat::Fga ? encodeFga(air) : encodeVf(air);
+    return format == AirFormat::Fga ? encodeFga(air, timeScale) : encodeVf(air, timeScale);
 }
 
 Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, const ExportTask& task)
@@ -100,7 +100,7 @@ Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, 
             return air.error();
         }
         grid = air.value()->grid;
-        return encodeAir(*air.value(), options.format);
+        return encodeAir(*air.value(), options.format, scene.timeline.timeScale);
     };
     const NumberedFiles files{
         options.output, options.frames, fileEnding(options.format), options.source, options.written};

@@ -28,7 +28,8 @@ inline constexpr std::array kAllAirFormats{AirFormat::Fga, AirFormat::Vf};
 /// FGA: cells along the three axes, the box's ends, then the velocities, all separated by commas; in cm and cm/s, z up
 /// and left-handed: our (x, z, y). Volume File: "VF_V", the cells as 16-bit numbers, then the velocities as floats; in
 /// m/s, y up and left-handed: our (x, y, -z). It has no box, which must be told otherwise.
-[[nodiscard]] std::string encodeAir(const AirField& air, AirFormat format);
+/// @param timeScale seconds of the air in one of the film, in whose seconds the velocities are
+[[nodiscard]] std::string encodeAir(const AirField& air, AirFormat format, float timeScale = 1.0F);
 
 struct AirSequenceOptions {
     std::filesystem::path output; ///< ## becomes the frame number; see framePath()

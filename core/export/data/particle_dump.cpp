@@ -49,6 +49,7 @@ void addRows(std::size_t layer, const LayerFrame& of, UpAxis up, std::vector<Row
 {
     const Frame& frame = *of.frame;
     const Effect& effect = *of.effect;
+    const float timeScale = effect.timeline.timeScale;
     Appearance appearance;
     findAppearance(frame, *of.effect, Axes{}, appearance);
     const Particles& p = frame.particles;
@@ -56,10 +57,10 @@ void addRows(std::size_t layer, const LayerFrame& of, UpAxis up, std::vector<Row
         const Lifecycle cycle = lifecycle(frame, i);
         if (cycle.alive) {
             const glm::vec3 at = turned({p.x[i], p.y[i], p.z[i]}, up);
-            const glm::vec3 velocity = turned({p.vx[i], p.vy[i], p.vz[i]}, up);
+            const glm::vec3 velocity = timeScale * turned({p.vx[i], p.vy[i], p.vz[i]}, up);
             rows.push_back({layer, idOf(frame, i),
-                {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i],
-                    appearance.radius[i], p.inAir() ? p.heat[i] : 0.0F},
+                {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age / timeScale, cycle.life,
+                    appearance.alpha[i], appearance.radius[i], p.inAir() ? p.heat[i] : 0.0F},
                 effect.look.colour * effect.look.colourGradient.at(cycle.life)});
         }
     }

@@ -27,9 +27,9 @@ inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFor
 [[nodiscard]] std::string_view fileEnding(ParticleFormat format);
 
 /// The living particles of a frame as text, one a line after a heading:
-/// id (the number of its birth modulo 2^31, the same at every frame), x, y, z (m), vx, vy, vz (m/s, without
-/// turbulence), age (s), life (0..1), alpha (0..1), radius (m), heat (of the air at the particle, 1 at the source; 0
-/// without air), red, green, blue (linear, before light). Shortest round-trip numbers.
+/// id (the number of its birth modulo 2^31, the same at every frame), x, y, z (m), vx, vy, vz (m/s of the film,
+/// without turbulence), age (s of the film), life (0..1), alpha (0..1), radius (m), heat (of the air at the particle,
+/// 1 at the source; 0 without air), red, green, blue (linear, before light). Shortest round-trip numbers.
 /// Of several layers the first column is the layer's number from 1. Alpha, radius and colour follow their looks.
 /// @param numbers of the layers in their scene, from 0, where muted ones lie between them; empty: as they come
 [[nodiscard]] std::string dumpCsv(LayerFrames layers, UpAxis up = UpAxis::Y, std::span<const std::size_t> numbers = {});

@@ -146,6 +146,19 @@ void spread(const std::vector<Ball>& balls, const std::vector<float>& sums, Volu
     }
 }
 
+/// What was summed up over the smoke of a cell becomes its mean, in seconds of the film.
+void takeMeans(float timeScale, Volume& volume)
+{
+    for (std::size_t i = 0; i < volume.density.size(); ++i) {
+        if (volume.density[i] > 0.0F) {
+            volume.velocity[i] = volume.velocity[i] / volume.density[i] * timeScale;
+            if (!volume.temperature.empty()) {
+                volume.temperature[i] /= volume.density[i];
+            }
+        }
+    }
+}
+
 /// A box around smoke, m.
 struct Bounds {
     glm::vec3 low{std::numeric_limits<float>::max()};
@@ -310,14 +323,7 @@ Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCou
         const int begin = static_cast<int>(task) * kPlanes;
         spread(balls, sums, volume, begin, std::min(begin + kPlanes, volume.cells.z));
     });
-    for (std::size_t i = 0; i < cells; ++i) {
-        if (volume.density[i] > 0.0F) {
-            volume.velocity[i] /= volume.density[i];
-            if (!volume.temperature.empty()) {
-                volume.temperature[i] /= volume.density[i];
-            }
-        }
-    }
+    takeMeans((*layers.front().effect)->timeline.timeScale, volume);
     return volume;
 }
 

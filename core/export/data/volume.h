@@ -22,7 +22,7 @@ struct Volume {
                                     ///< makes it vary; empty where the effect has neither air nor glow
     std::vector<float> flames; ///< extinction of what glows, weighted by the brightness of its glow, of the brightest
                                ///< 1; empty without glow
-    std::vector<glm::vec3> velocity; ///< mean of the smoke, m/s
+    std::vector<glm::vec3> velocity; ///< mean of the smoke, m/s of the film
     std::vector<std::vector<float>> layers; ///< the density of each layer, where it is asked for; their sum is that of
                                             ///< all, but for rounding
     bool hasTemperature = false; ///< the effect has such a column, be there smoke or not
