@@ -32,9 +32,9 @@ Written by `./dev gallery figures`, never by hand; what each says stands in [REA
 
 `spike`, `shimmer`, `dots`, `repetition`: of a second at 256 pixels, see faults.py; solvers' pictures have 0 to 1.75
 dots, 4000 small particles 7 to 11 and a shimmer of 1.5. `carried`: how much of the detail of a frame goes with the
-smoke into the next, of 1; `way`: how far, in pixels of a picture of 512 (median). `contrast`: deviation of ln(luminance) within the body, in the
-bands under 1, 1 to 2 and 2 to 4 pixels of a fitted picture of 384; `rims`: their widths in pixels, the 10th, 50th and
-90th percentile, see focus.py. A dash stands where there is no body.
+smoke into the next, of 1; `way`: how far, in pixels of a picture of 512 (median). `contrast`: deviation of
+ln(luminance) within the body, in the bands under 1, 1 to 2 and 2 to 4 pixels of a fitted picture of 384; `rims`: their
+widths in pixels, the 10th, 50th and 90th percentile, see focus.py. A dash stands where there is no body.
 
 | preset | spike | shimmer | dots | repetition | carried | way | contrast | rims |
 |---|---|---|---|---|---|---|---|---|
