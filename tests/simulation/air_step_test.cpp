@@ -324,7 +324,7 @@ private slots:
     void noBuiltInPresetIsBakedForTooLong()
     {
         for (const LibraryEntry& entry : builtinPresets()) {
-            Effect effect = presetOf(entry.id);
+            Effect effect = loadPreset(entry).value().preset.scene.effect();
             QVERIFY(checkAir(sampled(effect)));
             effect.timeline.loop = true;
             effect.timeline.length = 600;
