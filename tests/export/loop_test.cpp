@@ -80,13 +80,14 @@ std::vector<int> spansOf(const CellFrames& frames)
 }
 
 /// How far the picture between two cells is from the frame that is there: root of the mean square.
-double ghost(const SheetPlayback& playback, const SheetGrid& grid, int cell, float f, const Image& truth)
+double ghost(
+    const SheetPlayback& playback, const SheetGrid& grid, int cell, float f, const Image& truth, CellBlending blending)
 {
     double sum = 0.0;
     for (int y = 0; y < truth.height; ++y) {
         for (int x = 0; x < truth.width; ++x) {
             const glm::vec4 there = shown(truth.at(x, y));
-            const glm::vec4 seen = playback.pixel(cell, (cell + 1) % grid.cells, f, x, y, CellBlending::Motion);
+            const glm::vec4 seen = playback.pixel(cell, (cell + 1) % grid.cells, f, x, y, blending);
             sum += static_cast<double>(glm::dot(there - seen, there - seen));
         }
     }
@@ -286,7 +287,8 @@ private slots:
     }
 
 private:
-    /// Between the last cell and the first, the picture is no worse than between others that lie as far apart.
+    /// Between the last cell and the first, vectors mend as much of a cross-fade's error as between others that lie as
+    /// far apart. The error itself comes and goes with puffs.
     void compareGhosts(const Effect& effect, const CellFrames& frames, const std::vector<int>& spans,
         const PassSheet& sheet, const std::shared_ptr<AirCache>& shelf)
     {
@@ -304,8 +306,11 @@ private:
             const int half = spans[cell] / 2;
             const auto frame = simulator.frame(frames.numbers[cell] + half);
             QVERIFY(frame.ok() && renderer.render(*frame.value(), sampled(effect), kEdge, kEdge, truth).ok());
-            const double seen = ghost(playback, sheet.grid, static_cast<int>(cell),
-                static_cast<float>(half) / static_cast<float>(spans[cell]), truth);
+            const auto off = [&](CellBlending blending) {
+                const float way = static_cast<float>(half) / static_cast<float>(spans[cell]);
+                return ghost(playback, sheet.grid, static_cast<int>(cell), way, truth, blending);
+            };
+            const double seen = off(CellBlending::Motion) / off(CellBlending::CrossFade);
             double& to = cell + 1 == spans.size() ? seam : worst;
             to = std::max(to, seen);
         }
