@@ -45,7 +45,8 @@ Beyond a spike of {spike}, a shimmer of {shimmer} or {dots} dots: {beyond}.
 ## Time
 
 Seconds for frame 40 alone at 512 x 512 and for a sheet of 8 x 8 cells of 256, and the largest memory of the sheet;
-nothing is baked before, {threads} threads. Hosts differ: only figures of one table can be compared.
+the shorter of two runs, nothing is baked before, {threads} threads. Hosts differ: only figures of one table can be
+compared.
 
 | preset | frame, s | sheet, s | sheet, MB |
 |---|---|---|---|
@@ -68,6 +69,11 @@ def run(command: list[str]) -> Run:
     if child.returncode != 0:
         raise subprocess.CalledProcessError(child.returncode, command)
     return Run(time.monotonic() - begun, usage.ru_maxrss / 1024)
+
+
+def sooner(command: list[str]) -> Run:
+    """The shorter of two runs: what else a machine does only adds to one."""
+    return min((run(command) for _ in range(2)), key=lambda each: each.seconds)
 
 
 def first_frame(cli: str, preset: str) -> int:
@@ -107,8 +113,8 @@ def main() -> None:
             )
             if any(found[key] > most for key, most in MOST.items()):
                 beyond.append(f"`{preset}`")
-            alone = run([cli, "render", preset, "--frames", "40", "--size", "512", "--output", str(folder / "alone.png")])
-            sheet = run([cli, "flipbook", preset, "--grid", "8x8", "--size", "256", "--output", str(folder / "sheet.png")])
+            alone = sooner([cli, "render", preset, "--frames", "40", "--size", "512", "--output", str(folder / "alone.png")])
+            sheet = sooner([cli, "flipbook", preset, "--grid", "8x8", "--size", "256", "--output", str(folder / "sheet.png")])
             times.append(f"| {preset} | {alone.seconds:.1f} | {sheet.seconds:.1f} | {sheet.megabytes:.0f} |")
             print(faults[-1], times[-1], flush=True)
     threads = len(os.sched_getaffinity(0))

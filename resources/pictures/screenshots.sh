@@ -4,7 +4,9 @@ set -eu
 editor=$1
 out=$(cd "$(dirname "$0")" && pwd)
 home=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home"' EXIT
+presets=/tmp/smoke # is read in the export dialog
+mkdir "$presets"
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home" "$presets"' EXIT
 chmod 700 "$home"
 export HOME=$home XDG_CONFIG_HOME=$home XDG_DATA_HOME=$home XDG_RUNTIME_DIR=$home
 
@@ -48,7 +50,7 @@ pause() {
     settle
 }
 
-presets=$out/../presets
+cp "$out"/../presets/{volcano,tyre-fire,lit-fire}.json "$presets"
 open_editor 1 "$presets/volcano.json"
 pause
 keys Right Right Right Right Right

@@ -15,6 +15,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include <map>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -193,6 +195,16 @@ private slots:
         QCOMPARE(m_dialog->plan().frames.first, 58);
         m_dialog->setKind(ExportKind::Sequence);
         QCOMPARE(m_dialog->plan().frames.last, 99);
+    }
+
+    void percentsAreShownWithTheDigitsThatTheyHave()
+    {
+        auto& outliers = *child<QDoubleSpinBox>(u"export.outliers"_q);
+        for (const auto& [percent, text] :
+            std::map<double, QString>{{0.0, u"0 %"_q}, {0.75, u"0.75 %"_q}, {5.0, u"5 %"_q}}) {
+            outliers.setValue(percent);
+            QCOMPARE(outliers.text(), text);
+        }
     }
 
     void whatWasChosenIsThereInTheNextProgram()
