@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(m_dialog->plan().frames.last, 99);
     }
 
-    void percentsAreShownWithTheDigitsThatTheyHave()
+    void numbersAreShownWithTheDigitsThatTheyHave()
     {
         auto& outliers = *child<QDoubleSpinBox>(u"export.outliers"_q);
         for (const auto& [percent, text] :
@@ -205,6 +205,9 @@ private slots:
             outliers.setValue(percent);
             QCOMPARE(outliers.text(), text);
         }
+        auto& voxel = *child<QDoubleSpinBox>(u"export.voxel"_q);
+        voxel.setValue(0.02);
+        QCOMPARE(voxel.text(), u"0.02 m"_q);
     }
 
     void whatWasChosenIsThereInTheNextProgram()

@@ -13,6 +13,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -314,6 +315,7 @@ private:
             double& to = cell + 1 == spans.size() ? seam : worst;
             to = std::max(to, seen);
         }
+        QVERIFY(std::isfinite(worst));
         QVERIFY2(seam > 0.0 && seam <= 1.05 * worst,
             qPrintable(QStringLiteral("%1 at the seam, %2 elsewhere").arg(seam).arg(worst)));
     }

@@ -3,6 +3,7 @@
 #include "ui/document/text.h"
 #include "ui/export/labelled_form.h"
 #include "ui/export/number_box.h"
+#include "ui/widgets/decimal_box.h"
 
 #include "core/noise/texture.h"
 
@@ -10,7 +11,6 @@
 #include <array>
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLocale>
 #include <QSpinBox>
 
@@ -40,7 +40,7 @@ DataChoices::DataChoices(QWidget* parent)
     , m_cells(makeNumberBox(QStringLiteral("export.cells"),
           tr("Voxels along the longest edge of the smoke of the whole timeline"), kMinVolumeCells, kMaxVolumeCells,
           this))
-    , m_voxel(new QDoubleSpinBox(this))
+    , m_voxel(new DecimalBox(this))
     , m_up(new QComboBox(this))
     , m_density(new QComboBox(this))
 {

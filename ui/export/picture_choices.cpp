@@ -1,10 +1,11 @@
 #include "ui/export/picture_choices.h"
 
+#include "ui/widgets/decimal_box.h"
+
 #include "core/export/fit_camera.h"
 #include "core/export/manifest/manifest_parts.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -20,23 +21,12 @@ bool mayHaveMasks(const ExportPlan& plan)
     return canBeRecorded(plan.kind) && holdsFloats(plan.format) && isTogether;
 }
 
-/// Shows as many digits as its number has.
-class PercentBox : public QDoubleSpinBox {
-public:
-    using QDoubleSpinBox::QDoubleSpinBox;
-
-    QString textFromValue(double value) const override
-    {
-        return locale().toString(value, 'f', QLocale::FloatingPointShortest);
-    }
-};
-
 } // namespace
 
 PictureChoices::PictureChoices(QWidget* parent)
     : QWidget(parent)
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
-    , m_outliers(new PercentBox(this))
+    , m_outliers(new DecimalBox(this))
     , m_carries(new QCheckBox(tr("Embed the preset in pictures"), this))
     , m_manifest(new QCheckBox(tr("Write a manifest of checksums"), this))
     , m_masks(new QCheckBox(tr("Write a mask of each layer"), this))
@@ -74,9 +64,6 @@ void PictureChoices::buildFit(QVBoxLayout& layout)
     m_outliers->setDecimals(2);
     m_outliers->setSingleStep(kStep);
     m_outliers->setSuffix(tr(" %"));
-    // Its hint knows the ends of its range alone.
-    const int digits = m_outliers->fontMetrics().horizontalAdvance(QStringLiteral(".00"));
-    m_outliers->setMinimumWidth(m_outliers->sizeHint().width() + digits);
     layout.addWidget(m_fit);
     auto* row = new QHBoxLayout;
     row->addSpacing(kIndent);
