@@ -173,7 +173,7 @@ void addCompositorBenchmarks(std::vector<Claim>& claims)
     for (const Case& each :
         {Case{20000, 64.0F, 30.0, "3.6"}, Case{20000, 16.0F, 250.0, "36"}, Case{1000000, 4.0F, 20.0, "1.9"}}) {
         const std::string name =
-            "compose/" + std::to_string(each.count) + "x" + std::to_string(static_cast<int>(each.edge)) + "px";
+            "compositor/" + std::to_string(each.count) + "x" + std::to_string(static_cast<int>(each.edge)) + "px";
         const auto add = [&](const std::string& suffix, int threads, const std::string& simd, bool shaded = false,
                              int phases = 0) {
             benchmark::RegisterBenchmark((name + suffix).c_str(),
