@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Kills the editor twice, over and over, and looks whether unsaved work is still there: kill_editor.py BUILD_FOLDER [ROUNDS]
 
-Needs a screen (tests/editor/on_screen.sh gives one) and xdotool. Each round opens a document that has a file, changes it, kills the editor at a moment of
-chance after its copy is on the disk, starts it again, kills it 0 to 3 seconds later, and starts it a third time: the work must be in the window then. The
+`./dev test-kill` gives it what it needs: the programs, a screen (tests/editor/on_screen.sh) and xdotool. Each round
+opens a document that has a file, changes it, kills the editor at a moment of chance after its copy is on the disk,
+starts it again, kills it 0 to 3 seconds later, and starts it a third time: the work must be in the window then. The
 folder of copies is looked at all the while: a whole copy of the work must be in it at every moment.
 """
 
@@ -147,6 +148,9 @@ def play(home):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
+    missing = [name for name in ("bin/fumage", "bin/fumage-cli") if not (build / name).exists()]
+    if missing:
+        sys.exit(f"{build} has no {' and no '.join(missing)}. ./dev test-kill builds what is needed, in build/release.")
     rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 300
     seed = int(time.time())
     random.seed(seed)

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Kills programs that write, over and over, and looks at what they leave: kill_loop.py BUILD_FOLDER [ROUNDS]
 
-Each round starts one of them, ends it with SIGKILL after a time of chance, and checks that every file is whole. A round of each kind later the same
-program has started anew in the same folder: then nothing of the killed one may be left but whole files. An export that was once on a queue's list stays
-on a list until its picture is there.
+`./dev test-kill` builds what this needs and runs it.
+
+Each round starts one of them, ends it with SIGKILL after a time of chance, and checks that every file is whole. A round
+of each kind later the same program has started anew in the same folder: then nothing of the killed one may be left but
+whole files. An export that was once on a queue's list stays on a list until its picture is there.
 """
 
 import json
@@ -42,6 +44,7 @@ def whole_json(data):
         return False
 
 
+PROGRAMS = ("bin/fumage-cli", "tests/kill_victim")
 CHECKS = {".png": whole_png, ".json": whole_json}
 
 
@@ -49,8 +52,7 @@ class Victims:
     """The kinds of writers, each with a folder of its own."""
 
     def __init__(self, build, folder):
-        cli = str(build / "bin/fumage-cli")
-        victim = str(build / "tests/kill_victim")
+        cli, victim = (str(build / name) for name in PROGRAMS)
         self.folders = {kind: folder / kind for kind in ("render", "flipbook", "save", "recover", "queue")}
         for path in self.folders.values():
             path.mkdir()
@@ -83,6 +85,9 @@ class Victims:
 
 def main():
     build = pathlib.Path(sys.argv[1])
+    missing = [name for name in PROGRAMS if not (build / name).exists()]
+    if missing:
+        sys.exit(f"{build} has no {' and no '.join(missing)}. ./dev test-kill builds what is needed, in build/release.")
     rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 300
     seed = int(time.time())
     chance = random.Random(seed)
