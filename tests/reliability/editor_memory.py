@@ -15,6 +15,8 @@ import sys
 import tempfile
 import time
 
+from built_programs import built_programs
+
 MOST_MB = 1200  # as README.md says
 
 
@@ -57,12 +59,12 @@ class Hand:
             xdo("mousemove", 900, 300, "key", random.choice(self.KEYS))
 
 
-def start(build, home):
+def start(editor, home):
     settings = home / "config/fumage/fumage.ini"
     settings.parent.mkdir(parents=True)
     settings.write_text("[start]\nshown=false\n")
     rooms = {f"XDG_{name.upper()}_HOME": str(home / name) for name in ("config", "data", "cache")}
-    return subprocess.Popen([str(build / "bin/fumage")], env={**os.environ, **rooms, "HOME": str(home), "QT_QPA_PLATFORM": "xcb"})
+    return subprocess.Popen([editor], env={**os.environ, **rooms, "HOME": str(home), "QT_QPA_PLATFORM": "xcb"})
 
 
 def window_of(program):
@@ -75,13 +77,13 @@ def window_of(program):
 
 
 def main():
-    build = pathlib.Path(sys.argv[1]).resolve()
+    (editor,) = built_programs(sys.argv[1], "bin/fumage")
     seconds = int(sys.argv[2]) if len(sys.argv) > 2 else 300
     seed = int(time.time())
     random.seed(seed)
     print(f"seed {seed}")
     home = pathlib.Path(tempfile.mkdtemp())
-    program = start(build, home)
+    program = start(editor, home)
     hand = Hand(window_of(program))
     time.sleep(5)
     first = most = resident(program.pid)

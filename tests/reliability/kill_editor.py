@@ -18,6 +18,8 @@ import tempfile
 import threading
 import time
 
+from built_programs import built_programs
+
 PATIENCE = 60.0  # seconds that a window or a copy may take; those in which the editor waits for a core do not count
 LOOK = 0.004  # seconds between two looks at the folder
 SMALL = {"emitter": {"count": 400}, "noise": {"slices": 2, "resolution": 16}, "air": {"enabled": False}, "light": {"resolution": 16}}
@@ -26,12 +28,12 @@ SMALL = {"emitter": {"count": 400}, "noise": {"slices": 2, "resolution": 16}, "a
 class Home:
     """A user of the editor, with one document."""
 
-    def __init__(self, build, place):
-        self.editor = str(build / "bin/fumage")
+    def __init__(self, programs, place):
+        self.editor, cli = programs
         self.place = place
         self.copies = place / "data/fumage/recovery"
         self.document = place / "mine.json"
-        show = subprocess.run([str(build / "bin/fumage-cli"), "presets", "--show", "thesis-2012"], capture_output=True, check=True)
+        show = subprocess.run([cli, "presets", "--show", "thesis-2012"], capture_output=True, check=True)
         preset = json.loads(show.stdout)
         for group, values in SMALL.items():
             (preset["scene"] if group in preset["scene"] else preset["layers"][0])[group].update(values)
@@ -147,10 +149,7 @@ def play(home):
 
 
 def main():
-    build = pathlib.Path(sys.argv[1]).resolve()
-    missing = [name for name in ("bin/fumage", "bin/fumage-cli") if not (build / name).exists()]
-    if missing:
-        sys.exit(f"{build} has no {' and no '.join(missing)}. ./dev test-kill builds what is needed, in build/release.")
+    programs = built_programs(sys.argv[1], "bin/fumage", "bin/fumage-cli")
     rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 300
     seed = int(time.time())
     random.seed(seed)
@@ -158,7 +157,7 @@ def main():
     faults = 0
     for number in range(rounds):
         place = pathlib.Path(tempfile.mkdtemp())
-        wrong = play(Home(build, place))
+        wrong = play(Home(programs, place))
         shutil.rmtree(place, ignore_errors=True)
         if wrong:
             faults += 1

@@ -18,6 +18,8 @@ import tempfile
 import time
 import zlib
 
+from built_programs import built_programs
+
 SMALL = ["--size", "64", "--set", "emitter.count=400", "--set", "noise.slices=2", "--set", "noise.resolution=16"]
 
 
@@ -44,7 +46,6 @@ def whole_json(data):
         return False
 
 
-PROGRAMS = ("bin/fumage-cli", "tests/kill_victim")
 CHECKS = {".png": whole_png, ".json": whole_json}
 
 
@@ -52,7 +53,7 @@ class Victims:
     """The kinds of writers, each with a folder of its own."""
 
     def __init__(self, build, folder):
-        cli, victim = (str(build / name) for name in PROGRAMS)
+        cli, victim = built_programs(build, "bin/fumage-cli", "tests/kill_victim")
         self.folders = {kind: folder / kind for kind in ("render", "flipbook", "save", "recover", "queue")}
         for path in self.folders.values():
             path.mkdir()
@@ -84,10 +85,6 @@ class Victims:
 
 
 def main():
-    build = pathlib.Path(sys.argv[1])
-    missing = [name for name in PROGRAMS if not (build / name).exists()]
-    if missing:
-        sys.exit(f"{build} has no {' and no '.join(missing)}. ./dev test-kill builds what is needed, in build/release.")
     rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 300
     seed = int(time.time())
     chance = random.Random(seed)
@@ -95,7 +92,7 @@ def main():
     killed = left = faults = 0
     longest = {"render": 0.6, "flipbook": 0.3, "save": 0.1, "recover": 0.1, "queue": 4.0}
     with tempfile.TemporaryDirectory() as place:
-        victims = Victims(build, pathlib.Path(place))
+        victims = Victims(sys.argv[1], pathlib.Path(place))
         for number in range(rounds):
             kind = list(victims.commands)[number % len(victims.commands)]
             program = subprocess.Popen(victims.commands[kind], stdout=subprocess.DEVNULL)
